@@ -30,6 +30,8 @@ SPACING_S = 0.1
 """Between two rows: their noise is nearly independent."""
 TURNED_RAD = 0.5
 """What is turned by less does not tell the weight from the offset of the sensor."""
+FEWEST_ROWS = 10
+"""Six readings each: payload, offsets and place are 19 unknowns, and the scatter is found from what they leave."""
 PLACE_STD_M = 1.0
 """Prior of each coordinate of the place: it is within an arm's reach."""
 PHI_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0)))
@@ -86,7 +88,7 @@ def find_turning_place(recording: Recording) -> TurningPlace | None:
     """The place, by least squares over smoothed rows: the payload and the offsets are linear for each place (variable projection).
 
     Returns:
-        None where positions are known, rows are poses of their own, or the sensor is hardly turned.
+        None where positions are known, rows are poses of their own or too few, or the sensor is hardly turned.
     """
     poses = poses_of(recording)
     if poses is None or recording.wrench is None or poses.position is not None or poses.apart:
@@ -94,9 +96,11 @@ def find_turning_place(recording: Recording) -> TurningPlace | None:
     motion, _ = smooth_motion(poses, window_s=WINDOW_S)
     if np.linalg.norm(motion.omega, axis=1).sum() * poses.period < TURNED_RAD:
         return None
-    edge = round(WINDOW_S / poses.period)  # where there is nothing on one side, an acceleration is worth little
+    edge = max(1, round(WINDOW_S / poses.period))  # where there is nothing on one side, an acceleration is worth little
     rows = slice(edge, -edge, max(1, round(SPACING_S / poses.period)))
     seen = motion[rows]
+    if len(seen) < FEWEST_ROWS:
+        return None
     measured = local_derivative(recording.wrench, 0, poses.period, window_s=WINDOW_S)[rows]
     sigma = measured.std(axis=0) + 1e-9
     for _ in range(3):  # the scatter of each channel about the model, which is its weight

@@ -74,3 +74,12 @@ def test_positions_that_are_known_are_used_as_they_are():
     made = turn(0)
     placed = Recording(t=made.t, gravity=G, wrench=made.wrench, orientation=made.orientation, position=made.orientation @ R_TO_SENSOR)
     assert find_turning_place(placed) is None
+
+
+@pytest.mark.parametrize(("every", "seconds"), [(125, 30.0), (50, 30.0), (1, 0.6)], ids=["2 Hz", "5 Hz", "too short"])
+def test_slow_and_short_turns_are_no_error(every: int, seconds: float):
+    made = turn(0, seconds=seconds)
+    assert made.wrench is not None and made.orientation is not None
+    thin = Recording(t=made.t[::every], gravity=G, wrench=made.wrench[::every], orientation=made.orientation[::every])
+    place = find_turning_place(thin)
+    assert place is None or np.isfinite(place.covariance).all()
