@@ -28,6 +28,9 @@ SHOWN_ONLY = b"""<style>
 </style></head>"""
 """Of viser's page the scene alone is seen, on the console's ground: its panel, its settings and what it says of the browser are not for
 who stands at a robot."""
+OWN_PROCESS = {"document-isolation-policy": "isolate-and-require-corp"}
+"""The browser draws in a process of its own. On the same thread a picture that takes two seconds, as it may without a graphics card on a
+busy machine, kept whoever is in control from stopping the robot for as long."""
 
 
 @router.get("/{cell}")
@@ -45,7 +48,7 @@ async def viewer_page(cell: str, request: Request, gallery: GalleryDep) -> Respo
     async with httpx2.AsyncClient(trust_env=False) as client:
         found = await client.get(f"http://127.0.0.1:{port}/")
     content = found.content.replace(b"</head>", SHOWN_ONLY, 1)
-    headers = {"etag": f'"{sha256(content).hexdigest()[:32]}"', "cache-control": "no-cache"}
+    headers = {"etag": f'"{sha256(content).hexdigest()[:32]}"', "cache-control": "no-cache", **OWN_PROCESS}
     if request.headers.get("if-none-match") == headers["etag"]:
         return Response(status_code=NOT_MODIFIED, headers=headers)
     return Response(content, found.status_code, headers, media_type="text/html")

@@ -18,6 +18,7 @@ DRAWN_MS = 120_000
 CHANGED, PIXELS = 30, 300
 """By how much of 255 a pixel differs that shows something else, and how many of them are seen."""
 DRAWN_AGAIN_MS = 6000
+DRAWING_MS = 3000
 
 
 def test_the_box_that_is_typed_is_drawn_while_it_is_typed_and_nothing_of_visers_own_is_seen(service: RealService, browser: Browser) -> None:
@@ -55,6 +56,18 @@ def test_a_view_is_turned_by_its_button_and_stays_so_from_the_plan_into_the_run(
         assert page.locator("iframe.viewer").evaluate("frame => frame.kept && frame.src") == kept, "one picture goes through the run"
         at.tap(page.get_by_role("button", name="Reset", exact=True))
         assert wait_for_change(page, above)
+
+
+def test_a_picture_that_takes_seconds_keeps_the_page_from_nothing(service: RealService, browser: Browser) -> None:
+    with signed_in(service, browser, drawn=True) as at:
+        at.until_drawn()
+        viewer = at.page.locator("iframe.viewer").element_handle().content_frame()
+        assert viewer is not None
+        viewer.evaluate("ms => setTimeout(() => { const until = performance.now() + ms; while (performance.now() < until); })", DRAWING_MS)
+        at.page.evaluate("() => { window.beats = 0; setInterval(() => { window.beats += 1 }, 50) }")
+        drawn_ms = viewer.evaluate("() => performance.now()")  # answered when the picture is done
+        assert drawn_ms > DRAWING_MS
+        assert at.page.evaluate("() => window.beats") > DRAWING_MS / 50 / 4, "beats while the viewer draws"
 
 
 def test_a_pinch_zooms_the_picture_and_never_the_page(service: RealService, browser: Browser) -> None:
