@@ -1,20 +1,22 @@
 """Random cells of robots as they come, planned and judged by the independent checker; what is refused goes through an independent search.
 
-    python -m bench.real_robots [--count N] [--seed N] [--robots NAME,...] [--processes N] [--candidates N]
+    python -m bench.real_robots [--count N] [--seed N] [--robots NAME,...] [--processes N] [--candidates N] [--results FILE]
 
 Prints one line for each cell, then violations (none is allowed), the share solved of what can be solved (at least 95 %), and the seconds of
 planning (median at most 5, 95 % at most 15). Each cell is told by its robot and its number: `--robots NAME --seed N --count 1` repeats it.
+300 cells take hours: with a file for the results those that stand in it are not judged again, and the bench goes on where it was stopped.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import tempfile
 import time
 from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from multiprocessing import get_context
 from pathlib import Path
 
@@ -148,15 +150,32 @@ def main() -> None:
     parser.add_argument("--robots", default=",".join([*ROBOTS, *ARMS]))
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--candidates", type=int, default=CANDIDATES, help="of the independent search, per pose")
+    parser.add_argument("--results", type=Path, help="JSON lines, one for each cell; goes on behind what is there")
     options = parser.parse_args()
     names = options.robots.split(",")
     jobs = [(names[k % len(names)], options.seed + k // len(names)) for k in range(options.count)]
-    judgements: list[Judgement] = []
+    judged = {(j.robot, j.seed): j for j in read(options.results)}
+    judgements = [judged[job] for job in jobs if job in judged]
     with ProcessPoolExecutor(options.processes, mp_context=get_context("spawn")) as pool:
-        for done in as_completed([pool.submit(judge, *job, options.candidates) for job in jobs]):
+        for done in as_completed([pool.submit(judge, *job, options.candidates) for job in jobs if job not in judged]):
             judgements.append(done.result())
+            keep(options.results, judgements[-1])
             print(f"[{len(judgements)}/{options.count}] {judgements[-1].line}", flush=True)
     print(summary(judgements))
+
+
+def read(results: Path | None) -> list[Judgement]:
+    """What a bench that was stopped has judged."""
+    if results is None or not results.exists():
+        return []
+    return [Judgement(**found | {"violations": tuple(found["violations"])}) for found in map(json.loads, results.read_text().splitlines())]
+
+
+def keep(results: Path | None, judgement: Judgement) -> None:
+    """Adds what became of one cell."""
+    if results is not None:
+        with results.open("a") as file:
+            file.write(json.dumps(asdict(judgement)) + "\n")
 
 
 if __name__ == "__main__":
