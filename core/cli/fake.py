@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import time
-from contextlib import nullcontext
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
 from typing import Annotated
 
 import typer
@@ -13,8 +14,11 @@ from core.cli.options import CellArgument, PayloadOption, SeedOption, choose_pay
 from core.cli.terminal import find_wording, messages
 from core.errors import BadInput
 from core.fakes.ati_server import AtiServer, Setup
+from core.fakes.paced_server import PacedServer
 from core.fakes.ur_arm import UrArm
 from core.fakes.ur_server import UrServer
+from core.fakes.xarm_arm import XarmArm
+from core.fakes.xarm_server import CONTROL_PORT, XarmServer
 
 app = typer.Typer()
 RDT_PORT, PAGES_PORT = 49152, 8049
@@ -25,16 +29,23 @@ def choose() -> None:
     """A server that speaks a real controller's protocol, moved by the virtual robot."""
 
 
+HostOption = Annotated[str, typer.Option("--host", metavar="ADDRESS", help="Address to listen at, of this computer.")]
+PatienceOption = Annotated[
+    float | None,
+    typer.Option(
+        "--patience", metavar="S", help="How long each period waits for its command, for a computer that is busy; none as on a real robot."
+    ),
+]
+UR_PORTS, XARM_PORTS = "30002, 30004, 29999", "30000-30003"
+
+
 @app.command("ur")
 def serve_ur(
     cell: CellArgument,
     payload: PayloadOption = None,
     seed: SeedOption = 0,
-    host: Annotated[str, typer.Option(metavar="ADDRESS", help="Address to listen at, of this computer.")] = "127.0.0.1",
-    patience: Annotated[
-        float | None,
-        typer.Option(metavar="S", help="How long each period waits for its command, for a computer that is busy; none as on a real robot."),
-    ] = None,
+    host: HostOption = "127.0.0.1",
+    patience: PatienceOption = None,
     ati: Annotated[bool, typer.Option("--ati", help="With an ATI Net F/T box on its flange: RDT 49152, pages 8049.")] = False,
 ) -> None:
     """A Universal Robots e-series controller (RTDE 30004, secondary interface 30002, dashboard 29999) with the cell's virtual robot."""
@@ -44,15 +55,51 @@ def serve_ur(
     if len(arm.q) != 6:
         raise BadInput("cell", "cli-fake-not-six-joints", count=len(arm.q))
     server = UrServer(arm, host, patience_s=patience)
+    with _tell_no_address(host, UR_PORTS), server, _attach_box(arm) if ati else nullcontext():
+        if ati:
+            messages.print(find_wording().say("cli-fake-serves-ati", rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)
+        _serve(server, arm, arm.model, arm.serial)
+
+
+@app.command("xarm")
+def serve_xarm(
+    cell: CellArgument,
+    payload: PayloadOption = None,
+    seed: SeedOption = 0,
+    host: HostOption = "127.0.0.1",
+    port: Annotated[
+        int, typer.Option(metavar="PORT", min=1, max=65535, help="Of the control, session.port; below 1024 administrators only.")
+    ] = CONTROL_PORT,
+    patience: PatienceOption = None,
+) -> None:
+    """A UFACTORY xArm controller with a six-axis sensor (control 502, reports 30000 to 30003) with the cell's virtual robot."""
+    loaded = load_cell(find_cell(cell))
+    _, carried = choose_payload(loaded, payload)
+    arm = XarmArm(loaded, carried.parameters, seed)
+    if not 5 <= arm.n <= 7:
+        raise BadInput("cell", "cli-fake-not-five-to-seven-joints", count=arm.n)
+    server = XarmServer(arm, host, port=port, patience_s=patience)
+    with _tell_no_address(host, f"{port}, {XARM_PORTS}"), server:
+        _serve(server, arm, f"xArm{arm.n}", arm.serial)
+
+
+@contextmanager
+def _tell_no_address(host: str, ports: str) -> Iterator[None]:
+    """Raises BadInput where nothing can listen there."""
     try:
-        with server, _attach_box(arm) if ati else nullcontext():
-            if ati:
-                messages.print(find_wording().say("cli-fake-serves-ati", rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)
-            messages.print(find_wording().say("cli-fake-serves", host=host, model=arm.model, serial=arm.serial), soft_wrap=True)
-            while True:
-                time.sleep(1.0)
+        yield
+    except PermissionError as error:
+        raise BadInput("--port", "cli-fake-not-allowed", host=host) from error
     except OSError as error:
-        raise BadInput("--host", "cli-fake-no-address", host=host, reason=error.strerror or "") from error
+        raise BadInput("--host", "cli-fake-no-address", host=host, reason=error.strerror or "", ports=ports) from error
+
+
+def _serve(server: PacedServer, arm: UrArm | XarmArm, model: str, serial: str) -> None:
+    """Until somebody has had enough."""
+    messages.print(find_wording().say("cli-fake-serves", host=server.host, model=model, serial=serial), soft_wrap=True)
+    try:
+        while True:
+            time.sleep(1.0)
     except KeyboardInterrupt:
         said = find_wording().say("cli-fake-served", followed=arm.periods_followed, missed=arm.missed, late=server.late_periods)
         messages.print(said, soft_wrap=True)

@@ -11,6 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from core.array import Array
 from core.cell.cell import Cell
+from core.fakes.flange import flange_at
 from core.fakes.urscript import ScriptError, compile_script, run_secondary
 from core.payload.inertia import InertialParameters
 from core.plant.braking import braking_positions
@@ -163,17 +164,7 @@ class UrArm:
 
     def flange(self, q: Array) -> tuple[Array, Array]:
         """Position, m, and rotation of the flange in the base frame."""
-        T = np.eye(4)
-        for joint, angle in zip(self._robot.arm.joints, q, strict=True):
-            turn = np.eye(4)
-            turn[:3, :3] = Rotation.from_rotvec(angle * joint.axis).as_matrix()
-            T = T @ joint.placement @ turn
-        T = T @ self._robot.arm.sensor
-        base = self.cell.robot.base
-        rotation, position = base.rotation.T @ T[:3, :3], base.rotation.T @ (T[:3, 3] - base.translation)
-        if self._mount is not None:
-            rotation = rotation @ self._mount.rotation.T
-            position = position - rotation @ self._mount.translation
+        position, rotation = flange_at(self.cell, self._robot.arm, q)
         return position + rotation[:, 2] * self.stretch, rotation
 
     def _wrench_on_flange(self, wrench: Array) -> Array:

@@ -24,7 +24,13 @@ cli-fake-not-six-joints =
     .expected = eine Zelle, deren Roboter sechs hat, wie die von Universal Robots
 cli-fake-no-address =
     .found = { $host }, wo nichts lauschen kann ({ $reason })
-    .expected = eine Adresse dieses Rechners, deren Ports 30002, 30004 und 29999 frei sind, etwa 127.0.0.2
+    .expected = eine Adresse dieses Rechners, deren Ports { $ports } frei sind, etwa 127.0.0.2
+cli-fake-not-five-to-seven-joints =
+    .found = ein Roboter mit { $count } Gelenken
+    .expected = eine Zelle, deren Roboter fünf, sechs oder sieben hat, wie die von UFACTORY
+cli-fake-not-allowed =
+    .found = ein Port an { $host }, an dem nur Administratoren dieses Rechners lauschen dürfen
+    .expected = --port 5020, und in der Zelle session.port = 5020
 cli-fake-serves = ein { $model } (Seriennummer { $serial }) an { $host }; Strg-C beendet ihn.
 cli-fake-serves-ati = Eine ATI-Net-F/T-Box an seinem Flansch auf 127.0.0.1: RDT an Port { $rdt }, Seiten an Port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages })
 cli-fake-served = { $followed } Perioden unter Befehl, { $missed } davon ohne neuen Befehl; { $late } Perioden begannen auf diesem Rechner zu spät.

@@ -25,7 +25,13 @@ cli-fake-not-six-joints =
     .expected = a cell whose robot has six, as those of Universal Robots
 cli-fake-no-address =
     .found = { $host }, where nothing can listen ({ $reason })
-    .expected = an address of this computer whose ports 30002, 30004 and 29999 are free, 127.0.0.2 say
+    .expected = an address of this computer whose ports { $ports } are free, 127.0.0.2 say
+cli-fake-not-five-to-seven-joints =
+    .found = a robot of { $count } joints
+    .expected = a cell whose robot has five, six or seven, as those of UFACTORY
+cli-fake-not-allowed =
+    .found = a port at { $host } that only administrators of this computer may listen at
+    .expected = --port 5020, and session.port = 5020 in the cell
 cli-fake-serves = a { $model } (serial number { $serial }) at { $host }; Ctrl-C ends it.
 cli-fake-serves-ati = An ATI Net F/T box on its flange at 127.0.0.1: RDT on port { $rdt }, pages on port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages })
 cli-fake-served = { $followed } periods under command, { $missed } of them without a new command; { $late } periods began late on this computer.
