@@ -1,17 +1,21 @@
 """Whether 95 % intervals hold the truth under the conditions of real recordings: `python -m bench.conditions --count 200`.
 
 The recordings come from a generator that shares no code with the engine (`tests.foreign_recordings`); what is wrong with each is drawn from
-the standard uncertainty that it states.
+the standard uncertainty that it states. With `--keep FOLDER` every recording's outcome is appended to a file of its condition, so that a
+count can be stopped and continued; `--show` prints what such a folder has so far.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import os
+import re
 import sys
 from collections import Counter
+from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
@@ -104,26 +108,74 @@ def _say_widths(outcomes: list[Outcome]) -> str:
     return f"width over the bound {np.nanmin(ratio):.2f} to {np.nanmax(ratio):.2f} ({PHI_NAMES[int(np.nanargmax(ratio))]})"
 
 
+class Kept:
+    """Outcomes of one condition by seed, in a file of lines; in memory alone where there is no folder."""
+
+    def __init__(self, folder: Path | None, name: str) -> None:
+        self._file = None if folder is None else folder / f"{re.sub('[^a-z0-9]+', '-', name.lower()).strip('-')}.jsonl"
+        self.outcomes: dict[int, Outcome] = {}
+        if self._file is not None and self._file.exists():
+            for line in map(json.loads, self._file.read_text().splitlines()):
+                arrays = {key: np.array(line[key]) for key in ("error", "std", "repeatability", "least")}
+                self.outcomes[line["seed"]] = Outcome(**arrays, warnings=tuple(line["warnings"]))
+
+    def add(self, seed: int, outcome: Outcome) -> None:
+        """Keeps one more."""
+        self.outcomes[seed] = outcome
+        if self._file is not None:
+            line = {key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in asdict(outcome).items()}
+            with self._file.open("a") as file:
+                file.write(json.dumps({"seed": seed, **line}) + "\n")
+
+
+def say(name: str, outcomes: list[Outcome]) -> str:
+    """The line of one condition."""
+    said = Counter(code.removeprefix("estimation-") for each in outcomes for code in each.warnings)
+    half = INTERVAL * np.nanmedian([[each.std[0], each.repeatability[0]] for each in outcomes], axis=0)
+    cells = "".join(f"{'-' if np.isnan(share) else f'{100 * share:.0f}':>6}" for share in coverage(outcomes))
+    widths = _say_widths(outcomes)
+    return f"{name:28}{len(outcomes):5}{cells}   {half[0]:.5f} ({half[1]:.5f}) kg  {dict(said) or ''}  {widths}"
+
+
+def count(pool: ProcessPoolExecutor, name: str, kept: Kept, seeds: range) -> None:
+    """The recordings of one condition that are not there yet."""
+    missing = [seed for seed in seeds if seed not in kept.outcomes]
+    for seed, outcome in zip(missing, pool.map(outcome_of, [(name, seed) for seed in missing]), strict=True):
+        kept.add(seed, outcome)
+
+
+def _names(asked: str) -> Iterator[str]:
+    """Conditions in the order in which they are asked for, parts of names that are separated by bars."""
+    for part in asked.split("|"):
+        yield from (name for name in CONDITIONS if part in name)
+
+
 def main() -> None:
     """Prints a line for each condition, and the worst figure of all."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=200, help="recordings of each condition")
     parser.add_argument("--first", type=int, default=0, help="seed of the first recording")
     parser.add_argument("--processes", type=int, default=2)
-    parser.add_argument("--only", default="", help="conditions whose name contains this")
+    parser.add_argument("--only", default="", help="conditions whose names contain this, in this order where it is several: 'pink|rod'")
+    parser.add_argument("--keep", type=Path, default=None, help="folder of what has been done, to be continued")
+    parser.add_argument("--show", action="store_true", help="what is kept, and nothing new")
     arguments = parser.parse_args()
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    if arguments.keep is not None:
+        arguments.keep.mkdir(parents=True, exist_ok=True)
     columns = "   median half-width of m, all in (repeatability alone); warnings; mean width over the Cramér-Rao bound"
-    print(f"{'':28}" + "".join(f"{name:>6}" for name in PHI_NAMES) + columns)
+    print(f"{'':28}{'n':>5}" + "".join(f"{name:>6}" for name in PHI_NAMES) + columns)
     worst = ("", 1.0)
     with ProcessPoolExecutor(arguments.processes) as pool:
-        for name in (name for name in CONDITIONS if arguments.only in name):
-            outcomes = list(pool.map(outcome_of, [(name, arguments.first + k) for k in range(arguments.count)], chunksize=4))
+        for name in _names(arguments.only):
+            kept = Kept(arguments.keep, name)
+            if not arguments.show:
+                count(pool, name, kept, range(arguments.first, arguments.first + arguments.count))
+            if not kept.outcomes:
+                continue
+            outcomes = list(kept.outcomes.values())
             shares = coverage(outcomes)
-            said = Counter(code.removeprefix("estimation-") for each in outcomes for code in each.warnings)
-            half = INTERVAL * np.nanmedian([[each.std[0], each.repeatability[0]] for each in outcomes], axis=0)
-            cells = "".join(f"{'-' if np.isnan(share) else f'{100 * share:.0f}':>6}" for share in shares)
-            print(f"{name:28}{cells}   {half[0]:.5f} ({half[1]:.5f}) kg  {dict(said) or ''}  {_say_widths(outcomes)}", flush=True)
+            print(say(name, outcomes), flush=True)
             if not np.isnan(shares).all() and np.nanmin(shares) < worst[1]:
                 worst = (name, float(np.nanmin(shares)))
     print(f"worst: {100 * worst[1]:.0f} % ({worst[0]})")

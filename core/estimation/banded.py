@@ -29,38 +29,6 @@ def count_bands(matrix: csr_array) -> int:
     return 1 + int(np.abs(rows - matrix.indices).max(initial=0))
 
 
-def difference(bands: Array) -> Array:
-    """(b + 1, K), lower bands of the covariance of the differences of neighbours, the first window standing for itself."""
-    b, n = bands.shape
-    padded = np.zeros((b + 2, n + 1))
-    padded[:b, 1:] = bands
-    # G[i, j] - G[i-1, j] - G[i, j-1] + G[i-1, j-1], where bands[d, i] = G[i + d, i]
-    found = padded[: b + 1, 1:].copy()
-    found += padded[: b + 1, :-1]
-    found -= padded[1:, :-1]
-    found[1:] -= padded[:b, 1:]
-    found[0] -= padded[1, :-1]
-    return np.asarray(_within(found))
-
-
-def of_differences(inverse: Array) -> Array:
-    """(b - 1, K), lower bands of the inverse covariance of windows, from that of their differences (b, K)."""
-    b, n = inverse.shape
-    padded = np.zeros((b, n + 1))
-    padded[:, :n] = inverse
-    # Z[i, j] - Z[i+1, j] - Z[i, j+1] + Z[i+1, j+1]
-    found = padded[:-1, :-1] + padded[:-1, 1:] - padded[1:, :-1]
-    found[1:] -= padded[: b - 2, 1:]
-    found[0] -= padded[1, :-1]
-    return np.asarray(_within(found))
-
-
-def _within(bands: Array) -> Array:
-    for d in range(1, len(bands)):
-        bands[d, max(0, bands.shape[1] - d) :] = 0.0
-    return bands
-
-
 def factorise(bands: Array) -> Array:
     """(b, K), lower bands of L, where `L L^T` is the covariance."""
     return np.asarray(cholesky_banded(bands, lower=True))

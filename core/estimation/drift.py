@@ -1,12 +1,15 @@
-"""Slow drift of the sensor's offset: a random walk in the covariance of the windows, whose rate the data decide (restricted likelihood).
+"""Slow changes of the sensor's offset: a random walk and flicker noise in the covariance of the windows.
 
-With the offset o, the walk w and white noise e the windowed wrench of one channel is
+With the offset o, the walk w, the flicker f and white noise e the windowed wrench of one channel is
 
-    y_k = x_k beta + o + w_k + e_k,     cov(w_k - w_(k-1), w_l - w_(l-1)) = rate * (bands next to the diagonal),
+    y_k = x_k beta + o + w_k + f_k + e_k,
 
-so that the *differences* of neighbouring windows have a banded covariance, however long the recording is. The first "difference" is the
-first window itself, where the walk begins with zero. After a pause the offset may jump, since a sensor may be tared in one: that is a
-variance of its own, and tells nothing about the rate.
+white noise, flicker (1/f) and walk being what the noise of sensors is usually taken to be made of (IEEE Std 952, Allan variance). Flicker
+is a sum of Ornstein-Uhlenbeck processes whose time constants are a decade apart; what is slower than the slowest is the walk's. Behind an
+annihilating filter over neighbouring windows all of them have a banded covariance, however long the recording is. The first row of the
+filter is the first window itself, where the walk begins with zero. After a pause the offset may jump, since a sensor may be tared in one:
+that is a variance of its own, and tells nothing about the sizes of the others, which the restricted likelihood finds
+(`core.estimation.variance_search`).
 """
 
 from __future__ import annotations
@@ -15,10 +18,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
+from scipy.interpolate import BSpline
 
 from core.array import Array
-from core.estimation.banded import BAND, invert, multiply, solve_transposed, trace, whiten
+from core.estimation.annihilating_filter import AnnihilatingFilter
+from core.estimation.banded import BAND, multiply, solve_transposed, whiten
+from core.estimation.noise import WrenchNoise
+from core.estimation.variance_search import Channel, VarianceSearch
 from core.estimation.weak_form import WeakForm
 from core.recording.recording import PAUSE_S
 
@@ -26,146 +34,126 @@ STEP_STD = np.repeat([1.0, 0.05], 3)
 """N and N m, of the offsets of what was recorded after a pause against those before it."""
 EULERIAN = np.array([156190.0, 88234.0, 14608.0, 502.0, 1.0]) / 362880.0
 """Covariances of the increments of a unit walk from window to window: quartic B-splines overlap as the ninth-degree one says."""
-LONGEST_STEP = np.log(100.0)
-"""By which the logarithm of a rate changes at once."""
-LEAST = 1e-200
-"""Of what is divided by."""
+FLICKER_KNOTS = (2.0, 20.0)
+"""Time constants of the processes that flicker is the sum of, in knots of the windows: 0.05 and 0.5 s, 3 and 0.3 Hz, mostly."""
+
+FIRST_WALK, LEAST_WALK = 0.03, 1e-4
+"""Times the noise of a sample that the offset walks in a second: where the search begins, and what counts as no walk."""
+FIRST_FLICKER, LEAST_FLICKER = 0.03, 1e-3
+"""Times the noise of a sample: standard deviation of each of the flicker's processes, likewise."""
 
 
 @dataclass(frozen=True)
-class Walk:
-    """What a walk of unit rate and the jumps of unit variance make of the differences of K windows.
+class Drift:
+    """What flicker and walk of unit size and jumps of unit variance make of K windows behind a filter.
 
     Args:
-        bands: (b, K), lower bands of their covariance, s.
-        jumps: (K,), 1 where a pause lies before a window.
+        flicker, walk: (b, K), lower bands of their covariances; the walk's in s.
+        jumps: (b, K), the same of a unit jump at each pause.
     """
 
-    bands: Array
+    filter: AnnihilatingFilter
+    flicker: Array
+    walk: Array
     jumps: Array
 
-    def covariance(self, rate: float, channel: int) -> Array:
-        """(b, K), lower bands of a channel with a rate in N²/s, or N² m²/s."""
-        found = rate * self.bands
-        found[0] += STEP_STD[channel] ** 2 * self.jumps
-        return np.asarray(found)
+    def covariance(self, sizes: Array, channel: int) -> Array:
+        """(b, K), lower bands, of a channel with these sizes (2,): variance of each of the flicker's processes, N², and rate of the walk."""
+        flicker, walk = sizes
+        return np.asarray(flicker * self.flicker + walk * self.walk + STEP_STD[channel] ** 2 * self.jumps)
 
 
-def walk_in(form: WeakForm) -> Walk:
-    """The walk in the windows of a recording; where rows are poses of their own nobody knows what was between them, and there is none."""
-    bands, jumps = np.zeros((len(form.gram[0]) + 1, len(form))), np.zeros(len(form))
-    if not form.static:
-        starts = form.poses.t[1:][np.diff(form.poses.t) > PAUSE_S]
-        part = np.searchsorted(starts, form.centres)
-        jumps[1:] = np.diff(part) > 0
-        bands[:BAND] = increments_of_walk(form.centres / form.spacing) * form.spacing
-    return Walk(bands, jumps)
+def drift_in(form: WeakForm) -> Drift:
+    """The drift in the windows of a recording; where rows are poses of their own nobody knows what was between them, and there is none."""
+    if form.static:
+        nothing = np.zeros((len(form.gram[0]), len(form)))
+        return Drift(AnnihilatingFilter.identity(len(form)), nothing, nothing, nothing)
+    knots = np.rint((form.centres - form.centres[0]) / form.spacing)
+    filtering = AnnihilatingFilter.of(knots, FLICKER_KNOTS)
+    count, seen = BAND + filtering.reach, BAND + 2 * filtering.reach
+    lags = _lags(knots, seen)
+    walk = filtering.covariance(-0.5 * form.spacing * variogram_of_walk(lags), count)
+    walk[:, 0] = 0.0
+    flicker = sum(filtering.covariance(covariance_of_exponential(lags, each), count) for each in FLICKER_KNOTS)
+    starts = form.poses.t[1:][np.diff(form.poses.t) > PAUSE_S]
+    part = np.searchsorted(starts, form.centres)
+    return Drift(filtering, np.asarray(flicker), walk, _jumps_in(filtering, np.flatnonzero(np.diff(part, prepend=0)), count))
 
 
-def increments_of_walk(k: Array) -> Array:
-    """(BAND, K), lower bands of the covariance of the increments of a unit walk, averaged over cubic B-splines at k (K,), in knots."""
-    bands = np.zeros((BAND, len(k)))
-    before, at = k[:-1], k[1:]
-    for d in range(min(BAND, len(at))):
-        a, b, c, e = before[: len(at) - d], at[: len(at) - d], before[d:], at[d:]
-        bands[d, 1 : len(k) - d] = 0.5 * (_variogram(e - a) + _variogram(c - b) - _variogram(c - a) - _variogram(e - b))
+def _lags(knots: Array, count: int) -> Array:
+    """(count, K), from each window to the d-th after it, in knots."""
+    lags = np.zeros((count, len(knots)))
+    for d in range(1, min(count, len(knots))):
+        lags[d, :-d] = knots[d:] - knots[:-d]
+    return lags
+
+
+def _jumps_in(filtering: AnnihilatingFilter, at: NDArray[np.intp], count: int) -> Array:
+    """(count, K), lower bands of the covariance of what passes of independent unit steps that begin at the windows `at` (n,)."""
+    bands = np.zeros((count, filtering.weights.shape[1]))
+    for first in at:
+        step = filtering.weights[:, first : first + filtering.reach]
+        passed = np.array([step[: k + 1, k].sum() for k in range(step.shape[1])])
+        for d in range(len(passed)):
+            bands[d, first : first + len(passed) - d] += passed[d:] * passed[: len(passed) - d]
     return bands
 
 
-def _variogram(lag: Array) -> Array:
-    """(N,), variance of the change of a unit walk between two windows that are so many knots apart; whole numbers."""
-    n = np.abs(np.rint(lag))
-    c = EULERIAN
+def variogram_of_walk(lag: Array) -> Array:
+    """(...,), variance of the change of a unit walk between two windows, cubic B-splines that are so many knots apart; whole numbers."""
+    n, c = np.abs(lag), EULERIAN
     near = sum(2.0 * c[d] * np.maximum(n - d, 0.0) for d in range(1, len(c)))
     return np.asarray(c[0] * n + near)
 
 
-@dataclass(frozen=True)
-class Slope:
-    """How the restricted likelihood changes with the rate of a channel's walk.
+def covariance_of_exponential(lag: Array, time_constant: float) -> Array:
+    """(...,), of a unit Ornstein-Uhlenbeck process in two windows, cubic B-splines, so many knots apart; whole numbers."""
+    spline = BSpline.basis_element(np.arange(-4.0, 5.0), extrapolate=False)
+    at, weight = leggauss(8)
+    u = np.add.outer(np.arange(-4.0, 4.0), 0.5 + 0.5 * at)
+    overlap = 0.5 * weight * spline(u)
+    table = np.array([(overlap * np.exp(-np.abs(n - u) / time_constant)).sum() for n in range(5)])
+    n = np.abs(lag)
+    near = table[np.minimum(n, 4.0).astype(int)]
+    return np.asarray(near * np.exp(-np.maximum(n - 4.0, 0.0) / time_constant))
 
-    Args:
-        ratio: `r' P V P r / tr(P V)`, 1 where the likelihood is largest, more below.
-        share: by which the logarithm of the ratio falls when that of the rate rises: how much of the walk the noise lets through, 0 to 1.
+
+def flicker_between_means(length: float, spacing: float) -> float:
+    """Variance of the difference of two neighbouring means over `length` s each of unit flicker, for knots that are `spacing` s apart."""
+    a = length / spacing / np.array(FLICKER_KNOTS)
+    fallen = 1.0 - np.exp(-a)
+    return float(np.sum(2.0 * (2.0 * (a - fallen) - fallen**2) / a**2))
+
+
+def begin_search(form: WeakForm, noise: WrenchNoise) -> VarianceSearch:
+    """Of white noise, flicker and walk.
+
+    White noise is between that of a sample and what correlation between the samples of a hold would make of it: how much of that is flicker
+    is found. The holds bound the others, see `WrenchNoise.fastest_walk`.
     """
-
-    ratio: float
-    share: float
-
-    @property
-    def step(self) -> float:
-        """Newton's, of the logarithm of the rate towards the largest likelihood, no longer than `LONGEST_STEP`."""
-        return float(np.clip(np.log(self.ratio) / max(self.share, 1e-3), -LONGEST_STEP, LONGEST_STEP))
+    variance = noise.std**2
+    within = noise.seen_s * noise.fastest_walk * 2.0 / 3.0
+    most_flicker = within / flicker_between_means(noise.seen_s, form.spacing) if not form.static else np.zeros(6)
+    first = np.column_stack((noise.variance, FIRST_FLICKER**2 * variance, FIRST_WALK**2 * variance))
+    least = np.column_stack((variance, LEAST_FLICKER**2 * variance, LEAST_WALK**2 * variance))
+    return VarianceSearch(first, least, np.column_stack((noise.variance, most_flicker, noise.fastest_walk)))
 
 
-class RateSearch:
-    """The rates of the six walks on their way to the largest restricted likelihood.
-
-    Where the noise hides most of a walk, the likelihood is flat and Newton's step leads past the maximum and back for ever. So a step that
-    turns back halves how far the rate of this channel goes from now on: the search ends between two places, as a bisection does.
+def variance_between(flicker: Array, walk: Array, noise: Array, t: Array, seen: Array, spacing: float) -> Array:
+    """(N, 6), variance of the drift at times t (N,) about a straight line between the nearest of the times at which it was seen (K,).
 
     Args:
-        rate: (6,), where the search begins. least, most: (6,), bounds.
-    """
-
-    def __init__(self, rate: Array, least: Array, most: Array) -> None:
-        self.rate, self._least, self._most = rate, least, most
-        self._reach, self._last = np.full(len(rate), LONGEST_STEP), np.zeros(len(rate))
-
-    def begin(self) -> None:
-        """The search goes on in another model: nothing is known of where its maxima lie."""
-        self._reach[:], self._last[:] = LONGEST_STEP, 0.0
-
-    def improve(self, c: int, slope: Slope) -> None:
-        """One step of one channel."""
-        if slope.step * self._last[c] < 0.0:
-            self._reach[c] *= 0.5
-        self._last[c] = step = np.clip(slope.step, -self._reach[c], self._reach[c])
-        self.rate[c] = np.clip(self.rate[c] * np.exp(step), self._least[c], self._most[c])
-
-
-@dataclass(frozen=True)
-class Channel:
-    """One channel's equations for the differences of the windows, whitened.
-
-    Args:
-        factor: (b, K), of the covariance of the differences. columns: (K, n), of the unknowns `rows` (n,). residual: (K,).
-    """
-
-    factor: Array
-    columns: Array
-    rows: NDArray[np.intp]
-    residual: Array
-
-
-def slope_of(rate: float, bands: Array, channel: Channel, covariance: Array) -> Slope:
-    """Of one channel, by the average information (Gilmour, Thompson and Cullis 1995, Biometrics 51).
-
-    Args:
-        bands: (b, K), share of a unit rate in the covariance of the differences. covariance: (m, m), of all unknowns.
-    """
-    known = covariance[np.ix_(channel.rows, channel.rows)]
-    u = solve_transposed(channel.factor, np.column_stack((channel.residual, channel.columns)))
-    moved = multiply(bands, u)
-    seen = max(float(u[:, 0] @ moved[:, 0]), LEAST)
-    expected = max(float(trace(invert(channel.factor), bands)) - float(np.sum(u[:, 1:] * (moved[:, 1:] @ known))), LEAST)
-    walked = whiten(channel.factor, moved[:, :1])[:, 0]
-    along = walked @ channel.columns
-    return Slope(seen / expected, rate * float(walked @ walked - along @ known @ along) / seen)
-
-
-def variance_between(rate: Array, noise: Array, t: Array, seen: Array) -> Array:
-    """(N, 6), variance of the walk at times t (N,) about a straight line between the nearest of the times at which it was seen (K,).
-
-    Args:
-        rate: (6,), of the walk. noise: (6,), spectral density of the white noise that it was seen through, N² s: a level that walks
-            is known to `sqrt(rate noise)` where the data end (Kalman's filter at rest).
+        flicker, walk: (6,), variance of each process and rate. noise: (6,), spectral density of the white noise that they were seen
+            through, N² s: a level that walks is known to `sqrt(rate noise)` where the data end (Kalman's filter at rest).
+        spacing: s, of the knots.
     """
     after = np.searchsorted(seen, t)
     since = np.where(after > 0, t - seen[np.maximum(after - 1, 0)], np.inf)
     until = np.where(after < len(seen), seen[np.minimum(after, len(seen) - 1)] - t, np.inf)
     near, far = np.minimum(since, until), np.maximum(since, until)
-    return np.multiply.outer(near / (1.0 + near / far), rate) + np.sqrt(rate * noise)
+    forgotten = sum(1.0 - np.exp(-2.0 * near / (spacing * each)) for each in FLICKER_KNOTS)
+    walked = np.multiply.outer(near / (1.0 + near / far), walk) + np.sqrt(walk * noise)
+    return np.asarray(walked + np.multiply.outer(np.asarray(forgotten), flicker))
 
 
 @dataclass(frozen=True)
@@ -178,30 +166,35 @@ class Levelled:
     drift_std: Array
 
 
-def level_offsets(x: Array, covariance: Array, channels: Sequence[Channel], walk: Walk, rate: Array, offset: slice) -> Levelled:
-    """Predicts the walk (best linear unbiased), and moves its mean into the offsets, which are those of the first window.
+def level_offsets(x: Array, covariance: Array, channels: Sequence[Channel], drift: Drift, sizes: Array, offset: slice) -> Levelled:
+    """Predicts the drift (best linear unbiased), and moves its mean into the offsets, which are those of the first window.
 
     Args:
-        x, covariance: (m,) and (m, m), of all unknowns, of which the rows `offset` are the six offsets. rate: (6,).
+        x, covariance: (m,) and (m, m), of all unknowns, of which the rows `offset` are the six offsets.
+        sizes: (6, 2), flicker and walk.
     """
-    count = len(walk.jumps)
+    count = drift.walk.shape[1]
     to_mean, added, x = np.eye(len(x)), np.zeros(len(x)), x.copy()
-    drift, spread = np.zeros((count, 6)), np.zeros(6)
+    moved, spread = np.zeros((count, 6)), np.zeros(6)
+    change = np.zeros((count, 2))
+    change[:, 0], change[0, 1], change[-1, 1] = 1.0 / count, -1.0, 1.0
+    change = drift.filter.undo_transposed(change)
     for c, channel in enumerate(channels):
-        bands, rows, at = walk.covariance(rate[c], c), channel.rows, offset.start + c
-        drift[:, c] = np.cumsum(multiply(bands, solve_transposed(channel.factor, channel.residual[:, None]))[:, 0])
-        mean, mean_left = _predict(channel.factor, bands, 1.0 - np.arange(count) / count)
-        last, last_left = _predict(channel.factor, bands, np.ones(count))
-        x[at] += drift[:, c].mean()
+        bands, rows, at = drift.covariance(sizes[c], c), channel.rows, offset.start + c
+        passed = multiply(bands, solve_transposed(channel.factor, channel.residual[:, None]))
+        moved[:, c] = drift.filter.undo(passed)[:, 0]
+        mean, mean_left = _predict(channel.factor, bands, change[:, 0])
+        last, last_left = _predict(channel.factor, bands, change[:, 1])
+        x[at] += moved[:, c].mean()
         to_mean[at, rows] -= mean @ channel.columns
         added[at] = mean_left
         along = last @ channel.columns
         spread[c] = np.sqrt(last_left + along @ covariance[np.ix_(rows, rows)] @ along)
-    return Levelled(x, to_mean @ covariance @ to_mean.T + np.diag(added), drift - drift.mean(axis=0), spread)
+    return Levelled(x, to_mean @ covariance @ to_mean.T + np.diag(added), moved - moved.mean(axis=0), spread)
 
 
 def _predict(factor: Array, bands: Array, weights: Array) -> tuple[Array, float]:
-    """The sum of weights (K,) times the differences of the walk: gain (K,) on whitened residuals, and the variance that is left."""
+    """The sum of weights (K,) times what passes of the drift: gain (K,) on whitened residuals, and the variance that is left."""
     of_sum = multiply(bands, weights[:, None])
     gain = whiten(factor, of_sum)[:, 0]
     return gain, max(float(weights @ of_sum[:, 0] - gain @ gain), 0.0)

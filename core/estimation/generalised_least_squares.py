@@ -5,7 +5,7 @@ Solved is, for the windowed wrench y and the windowed regressor V(delay, tilt),
     min over (phi, offset, tilt, delay, b) of
         sum over channels |y - V(delay, tilt) phi - offset - G(phi) b|^2 in the metric C^-1  +  priors,
     C = noise of the wrench * Gram of the windows  +  noise of the kinematics * Gram of their second differences
-        +  random walk of the offset (`core.estimation.drift`),
+        +  flicker noise and random walk of the offset (`core.estimation.drift`),
 
 by damped Gauss-Newton. The noise of the kinematics enters the wrench through the payload's own spatial inertia, as
 `M(phi) (da, dalpha)`. It also sits in the regressor and in the columns of gains and cross-talk, where it would shrink the parameters; that
@@ -21,10 +21,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array
-from core.estimation.banded import difference, factorise, invert, of_differences, whiten
+from core.estimation.banded import factorise, invert, whiten
 from core.estimation.budget import Budget, Source
 from core.estimation.determination import SIZE_M, find_determined
-from core.estimation.drift import Channel, Levelled, RateSearch, level_offsets, slope_of, walk_in
+from core.estimation.drift import Levelled, begin_search, drift_in, level_offsets
 from core.estimation.noise import WrenchNoise, find_noise_factor
 from core.estimation.noisy_columns import NoiseOfColumns, Solution, compensate
 from core.estimation.nuisances import (
@@ -36,14 +36,13 @@ from core.estimation.nuisances import (
     find_evidence,
     improve_strength,
 )
+from core.estimation.variance_search import Channel, slope_of
 from core.estimation.weak_form import WeakForm
 from core.payload.inertia import InertialParameters, spatial_inertia
 
 TILT = slice(10, 12)
 DELAY = 12
 OFFSET = slice(13, 19)
-FIRST_WALK, LEAST_WALK = 0.03, 1e-4
-"""Times the noise of a sample that the offset walks in a second: where the search begins, and what counts as no walk."""
 LEAST_SENSOR_SHARE = 5e-7
 """Of the sensor's noise in a window, beside that of the poses."""
 SHARED = 13
@@ -77,7 +76,7 @@ class Fit:
         repeatability: (10, 10), covariance of phi with the nuisances as they are.
         directions: (10, b), how far phi is off when a nuisance is off by its standard uncertainty and the fit goes on as it did.
         drift: (K, 6), at the windows' centres; `drift_std`: (6,), of its range.
-        walk: (6,), N²/s and N² m²/s, rate of the random walk of each channel's offset.
+        sizes: (6, 3), of each channel's white noise, N² of a sample, of its flicker, N² of each process, and of its walk, N²/s.
         whitened: (6, K), residuals with unit variance when the model holds.
         scale: (6,), factor on the noise variance that the residuals asked for, 1 where the model holds.
         noise: of one sample.
@@ -93,7 +92,7 @@ class Fit:
     centres: Array
     drift: Array
     drift_std: Array
-    walk: Array
+    sizes: Array
     whitened: Array
     scale: Array
     noise: WrenchNoise
@@ -180,11 +179,10 @@ class _Problem:
         self.form = form
         self.noise = noise
         self.y = form.average(wrench)
-        self.wrench_gram, self.pose_gram = form.gram
-        self.walk = walk_in(form)
-        least = (LEAST_WALK * noise.std) ** 2
-        first = np.minimum((FIRST_WALK * noise.std) ** 2, noise.fastest_walk)
-        self.search = RateSearch(first, least, np.maximum(least, noise.fastest_walk))
+        self.drift = drift_in(form)
+        wrench_gram, pose_gram = form.gram
+        self.white, self.pose_gram = self.drift.filter.covariance(wrench_gram), pose_gram.behind(self.drift.filter)
+        self.search = begin_search(form, noise)
         self.nuisances = None if nuisances is None else NuisanceColumns(form, nuisances)
         self.size = OFFSET.stop + (0 if nuisances is None else nuisances.size)
         self.strength = np.ones(self.size - OFFSET.stop)
@@ -205,7 +203,7 @@ class _Problem:
         """With the weights of a fit that is there, which stay as they are."""
         problem = cls(form, wrench, found.noise, found.nuisances)
         problem.strength[:], problem.fitted, problem.std = found.strength, [], np.sqrt(np.diag(found.covariance)[:10])
-        problem.search.rate[:] = found.walk
+        problem.search.sizes[:] = found.sizes
         return problem
 
     def solve(self, scale: Array) -> Fit:
@@ -227,7 +225,7 @@ class _Problem:
             if k >= undamped:
                 x = 0.5 * (x + previous)
             if k >= SETTLED:
-                self._improve_rates(scale)
+                self._improve_sizes(scale)
         self.start = x
         return self.result(x, covariance, converged=converged)
 
@@ -240,19 +238,22 @@ class _Problem:
         whitened = np.array([at.residual for at in self.channels])
         return Fit(
             level.x, level.covariance, repeatability, directions,
-            self.form.centres, level.drift, level.drift_std, self.search.rate.copy(), whitened, np.ones(6), self.noise,
+            self.form.centres, level.drift, level.drift_std, self.search.sizes.copy(), whitened, np.ones(6), self.noise,
             nuisances=held, strength=self.strength.copy(), converged=converged and within,
         )  # fmt: skip
 
-    def _improve_rates(self, scale: Array) -> None:
-        """One step towards the rates of the walk that maximise the restricted likelihood, where the model holds."""
-        for c, channel in enumerate(self.channels if self.walk.bands.any() else ()):
-            if scale[c] == 1.0:
-                self.search.improve(c, slope_of(self.search.rate[c], self.walk.bands, channel, self.solution.plain))
+    def _improve_sizes(self, scale: Array) -> None:
+        """One step towards the sizes of the parts of the noise that maximise the restricted likelihood, where the model holds."""
+        parts = self.white, self.drift.flicker, self.drift.walk
+        for c, channel in enumerate(() if self.form.static else self.channels):
+            sought = self.search.sought(c)
+            if scale[c] == 1.0 and len(sought):
+                bands = [parts[k] for k in sought]
+                self.search.improve(c, slope_of(self.search.sizes[c, sought], bands, channel, self.solution.plain))
 
     def level(self, covariance: Array, x: Array) -> Levelled:
         """The drift, and the unknowns with the offsets' mean over the recording, where the last linearisation has their first value."""
-        return level_offsets(x, covariance, self.channels, self.walk, self.search.rate, OFFSET)
+        return level_offsets(x, covariance, self.channels, self.drift, self.search.sizes[:, 1:], OFFSET)
 
     def _rows_of_channel(self, c: int) -> NDArray[np.intp]:
         """Which unknowns show in one channel, in the order of its columns."""
@@ -271,18 +272,17 @@ class _Problem:
         for c in range(6):
             # slow windows see no noise of the pose: a little of the sensor's keeps the matrix regular when there is next to none
             kinematic = self.pose_gram.find_variance_through(M[c])
-            sensor = max(self.noise.variance[c] * scale[c], LEAST_SENSOR_SHARE * float((kinematic[0] / self.wrench_gram[0]).max()))
-            walk = self.walk.covariance(self.search.rate[c], c)
-            factor = factorise(difference(sensor * self.wrench_gram + kinematic) + walk)
+            sensor = max(self.search.sizes[c, 0] * scale[c], LEAST_SENSOR_SHARE * float((kinematic[0] / self.white[0]).max()))
+            factor = factorise(sensor * self.white + kinematic + self.drift.covariance(self.search.sizes[c, 1:], c))
             own = [seen.shared[:, c], np.ones((len(self.y), 1))]
             if self.nuisances is not None:
                 own += [seen.beside[:, c], self.nuisances.of_channel(c, seen.load)]
-            changes = np.diff(np.column_stack((*own, seen.target[:, c])), axis=0, prepend=0.0)
-            w, rows = whiten(factor, changes), self._rows_of_channel(c)
+            passed = self.drift.filter.apply(np.column_stack((*own, seen.target[:, c])))
+            w, rows = whiten(factor, passed), self._rows_of_channel(c)
             white.append((factor, w, rows))
             normal[np.ix_(rows, rows)] += w[:, :-1].T @ w[:, :-1]
             right[rows] += w[:, :-1].T @ w[:, -1]
-            self._add_bias(bias, c, seen.likely, self.pose_gram.trace_with(of_differences(invert(factor))))
+            self._add_bias(bias, c, seen.likely, self.pose_gram.trace_with(invert(factor)))
         self.system = normal, right, bias
         covariance, x = self._with_priors()
         self.std = np.sqrt(np.diag(covariance)[:10])

@@ -32,12 +32,14 @@ class WrenchNoise:
         measured: whether the recording's motionless parts gave it; the sensor's nominal figure, or a residual, otherwise.
         fastest_walk: (6,), N²/s and N² m²/s, largest rate of a random walk of the offset that the motionless parts allow: what moves more
             than that while the robot moves is no walk of the sensor.
+        seen_s: length of the neighbouring means whose differences say so, s: a walk gives them two thirds of it times its rate as variance.
     """
 
     std: Array
     long_run: Array
     measured: bool
     fastest_walk: Array = field(default_factory=lambda: np.full(6, np.inf))
+    seen_s: float = 1.0
 
     @property
     def variance(self) -> Array:
@@ -52,7 +54,7 @@ def sensor_noise(
 
     Returns the nominal figure where no hold is long enough, and None where there is neither.
     """
-    variances, products, rates = [], [], []
+    variances, products, rates, lengths = [], [], [], []
     for part in segments:
         rows = np.flatnonzero(still[part.rows]) + part.start
         if not part.is_hold or len(rows) < SHORTEST:
@@ -60,22 +62,25 @@ def sensor_noise(
         x = _without_line(wrench[rows])
         variances.append((x**2).sum(axis=0) / (len(rows) - 2))
         products.append((x[1:] * x[:-1]).sum(axis=0) / (len(rows) - 2))
-        rates.append(_rates_between_pieces(t[rows], wrench[rows]))
+        pieces = np.array_split(rows, max(2, min(LONGEST_PIECES, int((t[rows[-1]] - t[rows[0]]) / PIECE_S))))
+        rates.append(_rates_between_pieces(t, wrench, pieces))
+        lengths.append(float(t[rows[-1]] - t[rows[0]]) / len(pieces))
     if variances:
         variance = np.maximum(np.median(variances, axis=0), 1e-18)
         correlation = np.median(products, axis=0) / variance
         samples = len(variances) * SHORTEST
         seen = np.where(correlation > 4.0 / np.sqrt(samples), np.minimum(correlation, 0.98), 0.0)
-        return WrenchNoise(np.sqrt(variance), (1.0 + seen) / (1.0 - seen), True, _largest_rate(np.concatenate(rates)))
+        return WrenchNoise(
+            np.sqrt(variance), (1.0 + seen) / (1.0 - seen), True, _largest_rate(np.concatenate(rates)), float(np.median(lengths))
+        )
     if nominal_std is None:
         return None
     std = np.asarray(nominal_std, dtype=float)
     return WrenchNoise(std, np.ones(6), False, (FASTEST_WALK * std) ** 2)
 
 
-def _rates_between_pieces(t: Array, x: Array) -> Array:
+def _rates_between_pieces(t: Array, x: Array, pieces: list[NDArray[np.intp]]) -> Array:
     """(p, 6), rate of the walk that the change between two neighbouring pieces of a hold would be, noise included."""
-    pieces = np.array_split(np.arange(len(t)), max(2, min(LONGEST_PIECES, int((t[-1] - t[0]) / PIECE_S))))
     means, at = np.array([x[k].mean(axis=0) for k in pieces]), np.array([t[k].mean() for k in pieces])
     # the means of two pieces of equal length T of a walk differ by 2/3 T
     return np.asarray(np.diff(means, axis=0) ** 2 / (2.0 / 3.0 * np.diff(at)[:, None]))

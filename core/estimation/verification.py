@@ -78,8 +78,9 @@ def prediction(form: WeakForm, found: Fit) -> tuple[Array, Array]:
         others[found.nuisances.mount] = 0.0
     J = np.concatenate((V, features.tilt_columns(found.phi, tilt), late[..., None], constant, beside), axis=2)
     drift = np.column_stack([np.interp(form.centres, found.centres, found.drift[:, c]) for c in range(6)])
-    walked = variance_between(found.walk, found.noise.variance * form.poses.period, form.centres, found.centres)
-    uncertainty = np.einsum("kci,ij,kcj->kc", J, found.covariance, J, optimize=True) + walked
+    white, flicker, walk = found.sizes.T
+    drifted = variance_between(flicker, walk, white * form.poses.period, form.centres, found.centres, form.spacing)
+    uncertainty = np.einsum("kci,ij,kcj->kc", J, found.covariance, J, optimize=True) + drifted
     return V @ found.phi + found.x[OFFSET] + drift + beside @ others, uncertainty
 
 
@@ -88,4 +89,4 @@ def estimate_window_variance(form: WeakForm, found: Fit) -> Array:
     wrench_gram, pose_gram = form.gram
     M = spatial_inertia(found.phi)
     kinematic = np.array([pose_gram.find_variance_through(row)[0].mean() for row in M])
-    return np.asarray(found.noise.variance * wrench_gram[0].mean() + kinematic)
+    return np.asarray(found.sizes[:, 0] * wrench_gram[0].mean() + kinematic)

@@ -12,7 +12,7 @@ where `alpha` is the axial vector of B and `omega omega^T - omega^2 1` its symme
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -21,6 +21,7 @@ from scipy.interpolate import BSpline
 from scipy.sparse import csr_array, diags_array
 
 from core.array import Array
+from core.estimation.annihilating_filter import AnnihilatingFilter
 from core.estimation.banded import BAND, bands_of, trace
 from core.estimation.kinematics import Poses, axial, find_twist, local_derivative
 from core.estimation.lost_rows import fill_lost_rows
@@ -282,6 +283,16 @@ class PoseGram:
     noise: Array
     steady: Array
     jittered: Array | None
+
+    def behind(self, filtering: AnnihilatingFilter) -> PoseGram:
+        """Of what passes a filter over the windows."""
+        if self.jittered is None:
+            return replace(self, steady=filtering.covariance(self.steady))
+        jittered = np.zeros((6, 6, self.jittered.shape[2] + filtering.reach, self.jittered.shape[3]))
+        for a, b in np.ndindex(6, 6):
+            if b <= a:
+                jittered[a, b] = jittered[b, a] = filtering.covariance(self.jittered[a, b])
+        return replace(self, steady=filtering.covariance(self.steady), jittered=jittered)
 
     def find_variance_through(self, m: Array) -> Array:
         """(b, K) of a channel in which the accelerations show as m (6,)."""

@@ -11,11 +11,9 @@ from scipy.sparse import csr_array
 from core.estimation.banded import (
     BAND,
     bands_of,
-    difference,
     factorise,
     invert,
     multiply,
-    of_differences,
     solve_transposed,
     trace,
     whiten,
@@ -51,18 +49,6 @@ def test_what_is_whitened_has_unit_covariance() -> None:
     C = covariance(0, 12)
     half = whiten(factorise(bands_of(csr_array(C))), np.eye(12))
     np.testing.assert_allclose(half @ C @ half.T, np.eye(12), atol=1e-9)
-
-
-@given(st.integers(0, 2**32 - 1), st.integers(1, 30))
-def test_the_differences_of_neighbours_have_the_bands_of_the_dense_product(seed: int, n: int) -> None:
-    C, D = covariance(seed, n), np.eye(n) - np.eye(n, k=-1)
-    found, dense = difference(bands_of(csr_array(C))), D @ C @ D.T
-    for k in range(min(BAND + 1, n)):
-        np.testing.assert_allclose(found[k, : n - k], np.diag(dense, -k), atol=1e-9 * np.abs(dense).max())
-        assert not found[k, n - k :].any()
-    inverse, dense = of_differences(invert(factorise(found))), np.linalg.inv(C)
-    for k in range(min(BAND, n)):
-        np.testing.assert_allclose(inverse[k, : n - k], np.diag(dense, -k), rtol=1e-5, atol=1e-7 * np.abs(dense).max())
 
 
 @given(st.integers(0, 2**32 - 1), st.integers(1, 30))

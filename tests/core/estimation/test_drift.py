@@ -1,4 +1,4 @@
-"""The offset's random walk: its banded covariance, its rate and its prediction against dense matrices and a simulated walk."""
+"""Walk and flicker of the offset: their banded covariances, their prediction, and what a fit makes of simulated ones."""
 
 from __future__ import annotations
 
@@ -6,22 +6,23 @@ import numpy as np
 import pytest
 from scipy.interpolate import BSpline
 
-from core.estimation.banded import difference, factorise, whiten
+from core.estimation.annihilating_filter import AnnihilatingFilter
+from core.estimation.banded import factorise, whiten
 from core.estimation.drift import (
+    FLICKER_KNOTS,
     STEP_STD,
-    Channel,
-    RateSearch,
-    Slope,
-    Walk,
-    increments_of_walk,
+    Drift,
+    covariance_of_exponential,
+    drift_in,
+    flicker_between_means,
     level_offsets,
-    slope_of,
     variance_between,
-    walk_in,
+    variogram_of_walk,
 )
 from core.estimation.generalised_least_squares import fit
 from core.estimation.kinematics import Poses
 from core.estimation.noise import WrenchNoise
+from core.estimation.variance_search import Channel
 from core.estimation.weak_form import WeakForm
 from tests.core.estimation.test_generalised_least_squares import GRAVITY, STD, swinging, true_phi
 
@@ -39,133 +40,118 @@ def dense(bands: np.ndarray) -> np.ndarray:
     return np.asarray(np.diag(bands[0]) + below + np.transpose(below))
 
 
-def test_the_increments_of_averaged_walks_have_the_covariance_of_the_samples_that_they_are_made_of() -> None:
-    """Three windows are missing in the middle."""
-    fine, kept = 50, np.delete(np.arange(20.0), [8, 9, 10])
-    t = np.arange(-3.0, 23.0, 1.0 / fine)
+def splines(knots: np.ndarray, fine: int) -> tuple[np.ndarray, np.ndarray]:
+    """Instants, in knots, and the weights (K, N) of windows on them."""
+    t = np.arange(knots[0] - 3.0, knots[-1] + 3.0, 1.0 / fine)
     spline = BSpline.basis_element(np.arange(-2.0, 3.0), extrapolate=False)
-    W = np.nan_to_num(spline(t - kept[:, None])) / fine
-    walks = np.tril(np.ones((len(t), len(t)))) / np.sqrt(fine)
-    increments = np.diff(W, axis=0) @ walks
-    found = dense(increments_of_walk(kept))
-    assert not found[0].any()
-    # the samples stand for the time before them
-    np.testing.assert_allclose(found[1:, 1:], increments @ increments.T, atol=0.5 / fine)
+    return t, np.nan_to_num(spline(t - knots[:, None])) / fine
 
 
-def test_in_a_pause_the_offset_may_jump_and_rows_that_are_poses_do_not_walk() -> None:
-    t = np.concatenate((0.002 * np.arange(2000), 60.0 + 0.002 * np.arange(2000)))
+def test_averaged_walks_change_as_the_samples_that_they_are_made_of() -> None:
+    """The samples stand for the time before them."""
+    fine, knots = 50, np.array([0.0, 1.0, 2.0, 3.0, 5.0, 9.0, 20.0])
+    t, W = splines(knots, fine)
+    walks = W @ np.tril(np.ones((len(t), len(t)))) / np.sqrt(fine)
+    expected = ((walks - walks[0]) ** 2).sum(axis=1)
+    np.testing.assert_allclose(variogram_of_walk(knots), expected, atol=0.5 / fine)
+
+
+@pytest.mark.parametrize("time_constant", [0.7, *FLICKER_KNOTS])
+def test_averaged_exponentials_have_the_covariance_of_their_samples(time_constant: float) -> None:
+    knots = np.array([0.0, 1.0, 2.0, 3.0, 4.0, 7.0, 30.0])
+    t, W = splines(knots, 60)
+    expected = W @ np.exp(-np.abs(np.subtract.outer(t, t)) / time_constant) @ W.T
+    np.testing.assert_allclose(covariance_of_exponential(knots, time_constant), expected[0], rtol=2e-3, atol=1e-6)
+
+
+def test_nothing_of_the_slow_covariances_lies_beyond_the_bands_and_in_a_pause_the_offset_may_jump() -> None:
+    t = np.concatenate((0.002 * np.arange(700), 60.0 + 0.002 * np.arange(700)))
     form = resting(t)
-    walk = walk_in(form)
-    assert np.flatnonzero(walk.jumps).tolist() == [int(np.flatnonzero(np.diff(form.centres) > 30.0)[0]) + 1]
-    added = walk.covariance(2.0, 4) - 2.0 * walk.bands
-    np.testing.assert_allclose(added[0], STEP_STD[4] ** 2 * walk.jumps)
-    static = WeakForm(form.poses, still_only=np.ones(len(t), dtype=bool))
-    assert not walk_in(static).bands.any() and not walk_in(static).jumps.any()
+    drift = drift_in(form)
+    knots = np.rint((form.centres - form.centres[0]) / form.spacing)
+    D, lag = drift.filter.apply(np.eye(len(form))), np.subtract.outer(knots, knots)
+    flicker = sum(covariance_of_exponential(lag, each) for each in FLICKER_KNOTS)
+    np.testing.assert_allclose(dense(drift.flicker), D @ flicker @ D.T, atol=1e-4)
+    from_first = variogram_of_walk(knots)
+    walk = 0.5 * form.spacing * (from_first[:, None] + from_first - variogram_of_walk(lag))
+    np.testing.assert_allclose(dense(drift.walk), D @ walk @ D.T, atol=1e-8)
+    after = (form.centres > 30.0).astype(float)
+    np.testing.assert_allclose(dense(drift.jumps), np.outer(D @ after, D @ after), atol=1e-8)
+    added = drift.covariance(np.zeros(2), 4)
+    np.testing.assert_allclose(added, STEP_STD[4] ** 2 * drift.jumps)
 
 
-def made(rng: np.random.Generator, rate: float) -> tuple[np.ndarray, np.ndarray]:
-    """Three columns, the last one an offset, and what was measured (K,): a walk that begins with zero, seen through white noise."""
-    X = np.column_stack((np.sin(0.3 * np.arange(K)), rng.normal(size=K), np.ones(K)))
-    walk = np.concatenate(([0.0], np.cumsum(np.sqrt(rate) * rng.normal(size=K - 1))))
-    return X, X @ [2.0, -1.0, 5.0] + walk + NOISE * rng.normal(size=K)
+def test_rows_that_are_poses_do_not_drift() -> None:
+    t = 0.002 * np.arange(400)
+    drift = drift_in(WeakForm(resting(t).poses, still_only=np.ones(len(t), dtype=bool)))
+    assert not drift.walk.any() and not drift.flicker.any() and not drift.jumps.any()
 
 
-UNIT = np.append(0.0, np.ones(K - 1))[None, :]
-POINTS = Walk(np.vstack((UNIT, np.zeros((1, K)))), np.zeros(K))
+def test_neighbouring_means_of_flicker_differ_as_simulated_ones_do() -> None:
+    length, spacing, count = 0.3, 0.025, 1200
+    t = np.arange(count) * length / (count // 2)
+    C = sum(np.exp(-np.abs(np.subtract.outer(t, t)) / (spacing * each)) for each in FLICKER_KNOTS)
+    weights = np.where(np.arange(count) < count // 2, 1.0, -1.0) / (count // 2)
+    assert flicker_between_means(length, spacing) == pytest.approx(weights @ C @ weights, rel=0.01)
 
 
-def whitened(rate: float, X: np.ndarray, y: np.ndarray) -> tuple[Channel, np.ndarray, np.ndarray]:
-    factor = factorise(difference(NOISE**2 * np.ones((1, K))) + POINTS.covariance(rate, 0))
-    w = whiten(factor, np.diff(np.column_stack((X, y)), axis=0, prepend=0.0))
-    covariance = np.linalg.inv(w[:, :-1].T @ w[:, :-1])
-    beta = covariance @ w[:, :-1].T @ w[:, -1]
-    return Channel(factor, w[:, :-1], np.arange(3), w[:, -1] - w[:, :-1] @ beta), covariance, beta
-
-
-def covariance_of(rate: float) -> np.ndarray:
-    k = np.arange(float(K))
-    return np.asarray(NOISE**2 * np.eye(K) + rate * np.minimum.outer(k, k))
-
-
-def restricted_likelihood(rate: float, X: np.ndarray, y: np.ndarray) -> float:
-    C = covariance_of(rate)
-    information = X.T @ np.linalg.solve(C, X)
-    r = y - X @ np.linalg.solve(information, X.T @ np.linalg.solve(C, y))
-    return float(-0.5 * (np.linalg.slogdet(C)[1] + np.linalg.slogdet(information)[1] + r @ np.linalg.solve(C, r)))
-
-
-def searched(X: np.ndarray, y: np.ndarray, steps: int) -> float:
-    search = RateSearch(np.array([1e-3]), np.array([1e-8]), np.array([10.0]))
-    for _ in range(steps):
-        channel, covariance, _ = whitened(search.rate[0], X, y)
-        search.improve(0, slope_of(search.rate[0], POINTS.bands, channel, covariance))
-    return float(search.rate[0])
-
-
-@pytest.mark.parametrize("seed", range(4))
-@pytest.mark.parametrize("truth", [0.0, 0.01, 0.2])
-def test_the_rate_is_where_a_scan_of_the_dense_likelihood_has_its_largest_value(seed: int, truth: float) -> None:
-    X, y = made(np.random.default_rng(seed), truth)
-    rates = np.geomspace(1e-8, 10.0, 400)
-    scan = [restricted_likelihood(rate, X, y) for rate in rates]
-    assert restricted_likelihood(searched(X, y, 12), X, y) > max(scan) - 1e-3
-
-
-def test_the_estimate_its_covariance_and_the_predicted_walk_are_those_of_the_dense_matrices() -> None:
-    rate = 0.05
-    X, y = made(np.random.default_rng(9), rate)
-    C, k = covariance_of(rate), np.arange(float(K))
+def test_the_estimate_its_covariance_and_the_predicted_drift_are_those_of_the_dense_matrices() -> None:
+    rng, sizes, k = np.random.default_rng(9), np.array([0.3, 0.05]), np.arange(float(K))
+    filtering = AnnihilatingFilter.of(k, (5.0,))
+    D = filtering.apply(np.eye(K))
+    walk, decay = np.minimum.outer(k, k), np.exp(-np.abs(np.subtract.outer(k, k)) / 5.0)
+    bands = [np.array([np.pad(np.diag(D @ S @ D.T, -d), (0, d)) for d in range(3)]) for S in (decay, walk)]
+    drift = Drift(filtering, bands[0], bands[1], np.zeros((3, K)))
+    slow = sizes[0] * decay + sizes[1] * walk
+    C = NOISE**2 * np.eye(K) + slow
+    X = np.column_stack((np.sin(0.3 * k), rng.normal(size=K), np.ones(K)))
+    y = X @ [2.0, -1.0, 5.0] + np.linalg.cholesky(C) @ rng.normal(size=K)
     information = X.T @ np.linalg.solve(C, X)
     beta = np.linalg.solve(information, X.T @ np.linalg.solve(C, y))
-    walk = rate * np.minimum.outer(k, k)
-    drift = walk @ np.linalg.solve(C, y - X @ beta)
-    channel, covariance, x = whitened(rate, X, y)
-    np.testing.assert_allclose(x, beta, rtol=1e-9)
-    np.testing.assert_allclose(covariance, np.linalg.inv(information), rtol=1e-9)
-    found = level_offsets(x, covariance, [channel], POINTS, np.array([rate]), slice(2, 3))
-    np.testing.assert_allclose(found.drift[:, 0], drift - drift.mean(), atol=1e-9)
-    assert found.x[2] == pytest.approx(beta[2] + drift.mean())
-    # the same with the walk as unknowns of their own: Henderson's equations
-    Z = np.eye(K)[:, 1:]
-    joint = np.linalg.inv(
-        np.block([[X.T @ X, X.T @ Z], [Z.T @ X, Z.T @ Z]]) / NOISE**2
-        + np.block([[np.zeros((3, 3)), np.zeros((3, K - 1))], [np.zeros((K - 1, 3)), np.linalg.inv(walk[1:, 1:])]])
-    )
-    mean = np.concatenate(([0.0, 0.0, 1.0], np.full(K - 1, 1.0 / K)))
-    assert found.covariance[2, 2] == pytest.approx(mean @ joint @ mean)
-    assert found.covariance[2, 0] == pytest.approx(mean @ joint[:, 0])
-    assert found.drift_std[0] == pytest.approx(np.sqrt(joint[-1, -1]))
+    predicted = slow @ np.linalg.solve(C, y - X @ beta)
+    factor = factorise(filtering.covariance(NOISE**2 * np.ones((1, K)), 3) + drift.covariance(sizes, 0))
+    w = whiten(factor, filtering.apply(np.column_stack((X, y))))
+    covariance = np.linalg.inv(w[:, :-1].T @ w[:, :-1])
+    x = covariance @ w[:, :-1].T @ w[:, -1]
+    np.testing.assert_allclose(x, beta, rtol=1e-7)
+    np.testing.assert_allclose(covariance, np.linalg.inv(information), rtol=1e-7)
+    channel = Channel(factor, w[:, :-1], np.arange(3), np.asarray(w[:, -1] - w[:, :-1] @ x))
+    found = level_offsets(x, np.asarray(covariance), [channel], drift, sizes[None], slice(2, 3))
+    np.testing.assert_allclose(found.drift[:, 0], predicted - predicted.mean(), atol=1e-7)
+    assert found.x[2] == pytest.approx(beta[2] + predicted.mean())
+    # what is not known of a sum of the drift and the unknowns, once they have been predicted from y
+    gain = np.linalg.solve(information, X.T @ np.linalg.inv(C))
+    rest = slow @ np.linalg.inv(C) @ (np.eye(K) - X @ gain)
 
+    def variance(of_beta: np.ndarray, of_drift: np.ndarray) -> float:
+        error = of_beta @ gain + of_drift @ rest  # of y; y is noise and drift
+        return float(error @ C @ error - 2.0 * error @ slow @ of_drift + of_drift @ slow @ of_drift)
 
-def test_a_step_is_bounded() -> None:
-    search = RateSearch(np.full(3, 1e-3), np.full(3, 1e-8), np.full(3, 0.05))
-    for c, slope in enumerate((Slope(1e9, 1e-9), Slope(1e-9, 0.5), Slope(1.0, 0.5))):
-        search.improve(c, slope)
-    np.testing.assert_allclose(search.rate, [0.05, 1e-5, 1e-3])
-
-
-def test_steps_that_lead_past_the_maximum_and_back_come_to_rest_at_it() -> None:
-    search, maximum = RateSearch(np.array([1e-3]), np.array([1e-12]), np.array([10.0])), 1e-5
-    for _ in range(25):
-        off = np.log(search.rate[0] / maximum)
-        search.improve(0, Slope(np.exp(-0.2 * off), 0.1))  # each of Newton's steps is twice as long as it should be
-    assert search.rate[0] == pytest.approx(maximum, rel=0.01)
+    mean, ends = np.full(K, 1.0 / K), np.zeros(K)
+    ends[0], ends[-1] = -1.0, 1.0
+    assert found.covariance[2, 2] == pytest.approx(variance(np.array([0.0, 0.0, 1.0]), mean))
+    assert found.drift_std[0] == pytest.approx(np.sqrt(variance(np.zeros(3), ends)))
 
 
 def test_between_two_sights_the_walk_is_a_bridge_and_after_the_last_it_walks_away() -> None:
-    rng, rate = np.random.default_rng(3), 0.3
+    rng, rate, none = np.random.default_rng(3), 0.3, np.zeros(6)
     walks = np.cumsum(np.sqrt(rate * 0.01) * rng.normal(size=(4000, 401)), axis=1)
     line = walks[:, :1] + np.linspace(0.0, 1.0, 401) * (walks[:, -1:] - walks[:, :1])
     t, seen = np.array([1.0, 2.0]), np.array([0.0, 4.0])
-    found = variance_between(np.full(6, rate), np.zeros(6), np.append(t, 7.0), seen)[:, 0]
+    found = variance_between(none, np.full(6, rate), none, np.append(t, 7.0), seen, 0.025)[:, 0]
     np.testing.assert_allclose(found[:2], (walks - line)[:, [100, 200]].var(axis=0), rtol=0.1)
     assert found[2] == pytest.approx(3.0 * rate)
+    flicker = variance_between(np.full(6, 0.2), none, none, np.array([0.0, 100.0]), seen, 0.025)[:, 0]
+    np.testing.assert_allclose(flicker, [0.0, 0.4], atol=1e-9)
+
+
+def swung(seconds: float = 10.0) -> tuple[WeakForm, np.ndarray]:
+    t, R, wrench = swinging(0.002, seconds, 1.5)
+    return WeakForm(Poses(t, R, np.zeros((len(t), 3)), GRAVITY, np.zeros((6, 6)))), wrench
 
 
 def test_a_walk_of_the_sensor_is_found_with_its_rate_and_the_intervals_scatter_as_they_say() -> None:
-    t, R, wrench = swinging(0.002, 10.0, 1.5)
-    form = WeakForm(Poses(t, R, np.zeros((len(t), 3)), GRAVITY, np.zeros((6, 6))))
+    form, wrench = swung()
     rate = (0.6 * STD) ** 2
     z, rates = [], []
     for seed in range(8):
@@ -175,19 +161,49 @@ def test_a_walk_of_the_sensor_is_found_with_its_rate_and_the_intervals_scatter_a
         assert found.converged
         np.testing.assert_array_equal(found.scale, 1.0)
         z.append((found.phi - true_phi()) / np.sqrt(np.diag(found.covariance)[:10]))
-        rates.append(found.walk / rate)
+        rates.append(found.sizes[:, 2] / rate)
         seen = form.average(walk)
         assert np.abs(found.drift - (seen - seen.mean(axis=0))).max() < 0.5 * np.ptp(seen)
     assert 0.75 < np.sqrt(np.mean(np.square(z))) < 1.3
     assert np.mean(rates) == pytest.approx(1.0, rel=0.25)
 
 
-def test_where_nothing_walks_next_to_no_precision_is_lost() -> None:
-    t, R, wrench = swinging(0.002, 10.0, 1.5)
-    form = WeakForm(Poses(t, R, np.zeros((len(t), 3)), GRAVITY, np.zeros((6, 6))))
+def pink(rng: np.random.Generator, count: int) -> np.ndarray:
+    """(count, 6), of unit variance: 1/f from one period of the record to half the rate."""
+    spectrum = np.fft.rfft(rng.normal(size=(count, 6)), axis=0)
+    spectrum[1:] /= np.sqrt(np.arange(1, len(spectrum)))[:, None]
+    noise = np.fft.irfft(spectrum, n=count, axis=0)
+    return np.asarray(noise / noise.std(axis=0))
+
+
+def test_intervals_after_pink_noise_scatter_as_they_say_and_are_hardly_wider_than_those_of_who_knows_the_covariance() -> None:
+    form, wrench = swung()
+    n = len(wrench)
+    # who knows the covariance, channel by channel, with the same columns: offset and regressor, nothing else unknown
+    spectrum = 1.0 / np.maximum(np.arange(n // 2 + 1), 1.0)
+    circle = np.fft.irfft(spectrum, n=n)
+    W = form.average(np.eye(n))
+    C = W @ np.fft.irfft(np.fft.rfft(W, axis=1) * np.fft.rfft(circle / circle[0]).real, n=n, axis=1).T
+    V, whole = form.features(0.0)[0].regressor(np.zeros(2)), np.zeros((16, 16))
+    for c in range(6):
+        X = np.column_stack((V[:, c], np.outer(np.ones(len(V)), np.eye(6)[c])))
+        whole += X.T @ np.linalg.solve(STD[c] ** 2 * C, X)
+    least = np.sqrt(np.diag(np.linalg.inv(whole))[:10])
+    z, widths = [], []
+    for seed in range(8):
+        found = fit(form, wrench + STD * pink(np.random.default_rng(seed), n), WrenchNoise(0.7 * STD, np.full(6, 5.0), True))
+        std = np.sqrt(np.diag(found.covariance)[:10])
+        z.append((found.phi - true_phi()) / std)
+        widths.append(std / least)
+    assert 0.75 < np.sqrt(np.mean(np.square(z))) < 1.3
+    assert np.mean(widths, axis=0).max() < 1.5
+
+
+def test_where_nothing_drifts_little_precision_is_lost_in_ten_seconds_without_any_bound() -> None:
+    form, wrench = swung()
     ratios = []
     for seed in range(6):
         seen = wrench + STD * np.random.default_rng(seed).normal(size=wrench.shape)
         free, held = (fit(form, seen, WrenchNoise(STD, np.ones(6), True, most)) for most in (np.full(6, np.inf), np.zeros(6)))
         ratios.append(np.sqrt(np.diag(free.covariance)[:10] / np.diag(held.covariance)[:10]))
-    assert 0.99 < np.median(ratios) < 1.05
+    assert 0.99 < np.median(ratios) < 1.08
