@@ -58,7 +58,7 @@ class Drift:
     jumps: Array
 
     def covariance(self, sizes: Array, channel: int) -> Array:
-        """(b, K), lower bands, of a channel with these sizes (2,): variance of each of the flicker's processes, N², and rate of the walk."""
+        """(b, K), lower bands, of a channel of these sizes (2,): variance of each of the flicker's processes, N², and rate of the walk."""
         flicker, walk = sizes
         return np.asarray(flicker * self.flicker + walk * self.walk + STEP_STD[channel] ** 2 * self.jumps)
 
