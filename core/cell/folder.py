@@ -21,6 +21,7 @@ from core.cell.session import (
     RobotiqSensor,
     SimulatedRobot,
     UniversalRobot,
+    XarmRobot,
 )  # fmt: skip
 from core.cell.tool import Tool
 from core.cell.tool_checks import tool_flaws
@@ -185,7 +186,7 @@ def _session_flaw(error: ErrorDetails, where: str) -> BadCell:
 
 def _keys() -> list[str]:
     """Every key of the format."""
-    links = (SimulatedRobot, UniversalRobot, NetFtSensor, BotaSensor, RobotiqSensor)
+    links = (SimulatedRobot, UniversalRobot, XarmRobot, NetFtSensor, BotaSensor, RobotiqSensor)
     shapes = (Box, Sphere, Capsule, Cylinder, Pose)
     models = (Cell, Site, Robot, Friction, Sensor, SensorCalibration, Limits, Control, Payload, Tool, Obstacle, Zone, *shapes, *links)
     return sorted({key for model in models for key in model.model_fields} - {"folder"})

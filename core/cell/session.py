@@ -82,18 +82,33 @@ class RealRobot(Model):
     sensor: ExternalSensor | None = Field(default=None, description="A sensor that is read on its own line; the robot's own where null.")
 
 
-class UniversalRobot(RealRobot):
-    """A Universal Robots e-series arm over RTDE."""
+class SensingRobot(RealRobot):
+    """A robot with a force/torque sensor of its own."""
 
-    driver: Literal["ur_rtde"] = Field(description="Which driver.", examples=["ur_rtde"])
     wrench_acts_on: Literal["robot", "payload"] = Field(
         default="robot", description="What the controller's raw wrench is exerted on: the robot by its load, or the load by the robot."
     )
 
 
-Session = Annotated[SimulatedRobot | UniversalRobot, Field(discriminator="driver")]
+class UniversalRobot(SensingRobot):
+    """A Universal Robots e-series arm over RTDE."""
 
-ROBOT_DRIVERS = ("simulated", "ur_rtde")
+    driver: Literal["ur_rtde"] = Field(description="Which driver.", examples=["ur_rtde"])
+
+
+class XarmRobot(SensingRobot):
+    """A UFACTORY xArm, 850 or Lite 6 over the maker's private TCP protocol."""
+
+    driver: Literal["xarm"] = Field(description="Which driver.", examples=["xarm"])
+    port: Port = Field(default=502, description="TCP port of the control.", examples=[502])
+    rate_hz: Literal[200, 250] = Field(
+        default=200, description="How often the controller reports: 200 times a second with its force/torque sensor, 250 times without."
+    )
+
+
+Session = Annotated[SimulatedRobot | UniversalRobot | XarmRobot, Field(discriminator="driver")]
+
+ROBOT_DRIVERS = ("simulated", "ur_rtde", "xarm")
 SENSOR_DRIVERS = ("ati_net_ft", "bota_serial", "robotiq_ft300")
 DRIVER_NAMES = frozenset({*ROBOT_DRIVERS, *SENSOR_DRIVERS})
 """Of robots and of sensors."""

@@ -17,9 +17,10 @@ from core.sessions.pace import Pace
 from core.sessions.session import RobotSession
 from core.sessions.simulated import SimulatedSession
 from core.sessions.ur import UniversalRobotsSession
+from core.sessions.xarm import XarmSession
 from core.twin.twin import NOMINAL, Twin
 
-DRIVERS: Mapping[str, Callable[[Cell], RobotSession]] = {"ur_rtde": UniversalRobotsSession}
+DRIVERS: Mapping[str, Callable[[Cell], RobotSession]] = {"ur_rtde": UniversalRobotsSession, "xarm": XarmSession}
 """Makes the session of a real robot; a driver reaches for nothing before it is entered or asked where the robot stands."""
 
 

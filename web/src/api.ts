@@ -2371,7 +2371,7 @@ export interface components {
              *       "driver": "simulated"
              *     }
              */
-            session?: components["schemas"]["SimulatedRobot"] | components["schemas"]["UniversalRobot"];
+            session?: components["schemas"]["SimulatedRobot"] | components["schemas"]["UniversalRobot"] | components["schemas"]["XarmRobot"];
             /**
              * @description From which external torques and forces the controller acts.
              * @default {
@@ -9575,17 +9575,17 @@ export interface components {
              */
             sensor?: (components["schemas"]["NetFtSensor"] | components["schemas"]["BotaSensor"] | components["schemas"]["RobotiqSensor"]) | null;
             /**
-             * @description Which driver. (enum property replaced by openapi-typescript)
-             * @enum {string}
-             */
-            driver: "ur_rtde";
-            /**
              * Wrench Acts On
              * @description What the controller's raw wrench is exerted on: the robot by its load, or the load by the robot.
              * @default robot
              * @enum {string}
              */
             wrench_acts_on?: "robot" | "payload";
+            /**
+             * @description Which driver. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            driver: "ur_rtde";
         };
         /**
          * Value
@@ -10091,6 +10091,83 @@ export interface components {
              * @description What has to be known of the numbers.
              */
             remarks: components["schemas"]["Message"][];
+        };
+        /**
+         * XarmRobot
+         * @description A UFACTORY xArm, 850 or Lite 6 over the maker's private TCP protocol.
+         */
+        XarmRobot: {
+            /**
+             * Host
+             * @description Name or address of the robot's controller.
+             * @example 192.168.1.10
+             */
+            host: string;
+            /**
+             * Model
+             * @description The robot's model as its controller names it; another one is refused.
+             * @example UR5e
+             */
+            model: string;
+            /**
+             * Serial
+             * @description The arm's serial number; another arm is refused. Not looked at where null.
+             * @example 20245500123
+             */
+            serial?: string | null;
+            /**
+             * Firmware
+             * @description What the controller's version has to begin with: 5.17 takes 5.17.3. Whatever the driver knows where null.
+             * @example 5.17
+             */
+            firmware?: string | null;
+            /**
+             * @description The base frame of the controller in the cell's `robot.base_frame`; the same where nobody has said.
+             * @default {
+             *       "xyz_m": [
+             *         0,
+             *         0,
+             *         0
+             *       ],
+             *       "rpy_rad": [
+             *         0,
+             *         0,
+             *         0
+             *       ]
+             *     }
+             */
+            base?: components["schemas"]["Pose"];
+            /**
+             * Sensor
+             * @description A sensor that is read on its own line; the robot's own where null.
+             */
+            sensor?: (components["schemas"]["NetFtSensor"] | components["schemas"]["BotaSensor"] | components["schemas"]["RobotiqSensor"]) | null;
+            /**
+             * Wrench Acts On
+             * @description What the controller's raw wrench is exerted on: the robot by its load, or the load by the robot.
+             * @default robot
+             * @enum {string}
+             */
+            wrench_acts_on?: "robot" | "payload";
+            /**
+             * @description Which driver. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            driver: "xarm";
+            /**
+             * Port
+             * @description TCP port of the control.
+             * @default 502
+             * @example 502
+             */
+            port?: number;
+            /**
+             * Rate Hz
+             * @description How often the controller reports: 200 times a second with its force/torque sensor, 250 times without.
+             * @default 200
+             * @enum {integer}
+             */
+            rate_hz?: 200 | 250;
         };
         /**
          * Zone
@@ -14432,6 +14509,7 @@ export type WebhookCreate = components['schemas']['WebhookCreate'];
 export type WebhookPublic = components['schemas']['WebhookPublic'];
 export type Where = components['schemas']['Where'];
 export type WorkpiecePart = components['schemas']['WorkpiecePart'];
+export type XarmRobot = components['schemas']['XarmRobot'];
 export type Zone = components['schemas']['Zone'];
 export type ZoneCheckCreate = components['schemas']['ZoneCheckCreate'];
 export type ZoneCheckPublic = components['schemas']['ZoneCheckPublic'];

@@ -1,0 +1,26 @@
+# Ein Arm von UFACTORY.
+xarm-link-lost = seit { MILLI($value) } ms weder Messwert noch Antwort vom Roboter an { $host }; er steht an der letzten Stelle, die er bekommen hat. Prüfen Sie die Leitung zwischen diesem Rechner und der Steuerung, und beginnen Sie neu.
+xarm-starved = der Roboter bekam { MILLI($value) } ms lang nichts (Grenze { MILLI($limit) } ms), während er sich bewegte, und hat dort gehalten, wohin er zuletzt sollte; er steht. Dieser Rechner war zu beschäftigt, oder die Leitung war spät. Beginnen Sie neu.
+xarm-not-begun = der Roboter an { $host } hat die Servobewegung nicht innerhalb von { FIXED($limit_s, digits: 0) } s eingeschaltet; nichts hat sich bewegt. Sehen Sie nach einer Meldung in UFACTORY Studio, und ob ein anderes Programm den Roboter bewegt.
+xarm-rate = die Steuerung an { $host } meldet sich alle { MILLI($found_s, digits: 1) } ms, und session.rate_hz sagt alle { MILLI($expected_s, digits: 1) } ms; nichts hat sich bewegt. Mit eingeschaltetem Kraft-Momenten-Sensor meldet sie sich 200-mal in der Sekunde, ohne ihn 250-mal: berichtigen Sie session.rate_hz, oder schalten Sie den Sensor um.
+xarm-motors-off = seine Motoren sind aus oder ihre Bremsen geschlossen. Schalten Sie den Roboter in UFACTORY Studio ein.
+xarm-simulation = er ist im Simulationsmodus: der Arm würde sich nicht bewegen. Schalten Sie ihn in UFACTORY Studio aus.
+xarm-force-control = der Kraft-Momenten-Sensor des Roboters an { $host } ist in einem Modus der Kraftregelung, in dem Kräfte den Arm bewegen; nichts hat sich bewegt. Beenden Sie diesen Modus in UFACTORY Studio.
+xarm-sensor-not-on = der Kraft-Momenten-Sensor des Roboters an { $host } lässt sich nicht einschalten; nichts hat sich bewegt. Prüfen Sie, ob er angebaut ist, sein Kabel, und ob UFACTORY Studio ihn findet. Hat der Roboter keinen, nennen Sie einen in session.sensor.
+xarm-sensor-went-off = jemand hat den Kraft-Momenten-Sensor ausgeschaltet; der Roboter wurde angehalten. Beginnen Sie neu.
+xarm-sensor-zeroed = jemand hat den Kraft-Momenten-Sensor auf null gesetzt; der Roboter wurde angehalten, und nichts wird darüber hinweg aufgezeichnet. Beginnen Sie neu.
+xarm-payload-changed = die Last der Steuerung wurde von { FIXED($limit, digits: 3) } auf { FIXED($value, digits: 3) } kg geändert, oder ihr Schwerpunkt; der Roboter wurde angehalten, und nichts wird darüber hinweg aufgezeichnet. Beginnen Sie neu.
+xarm-tool-changed = jemand hat den Werkzeugmittelpunkt in der Steuerung geändert; der Roboter wurde angehalten. Beginnen Sie neu.
+xarm-mode = jemand anderes hat die Steuerung in den Modus { $value } gebracht (Heft braucht { $limit }, Servobewegung); der Roboter hat gehalten. Schließen Sie, was sonst den Roboter bewegt, etwa UFACTORY Studio, und beginnen Sie neu.
+xarm-paused = die Bewegung wurde in UFACTORY Studio oder von einem anderen Programm unterbrochen. Beginnen Sie neu; ein Lauf wird in Heft angehalten.
+xarm-stopped = die Bewegung wurde in UFACTORY Studio oder von einem anderen Programm gestoppt, oder die Steuerung hat die Motoren ausgeschaltet. Finden Sie heraus, warum, und beginnen Sie neu.
+xarm-reset = jemand hat Einstellungen der Steuerung geändert, was jede Bewegung beendet. Beginnen Sie neu.
+xarm-emergency = ein Not-Halt ist gedrückt (Fehler { $value }). Lösen Sie ihn, wenn es sicher ist, schalten Sie den Roboter in UFACTORY Studio ein, und beginnen Sie neu.
+xarm-collision = die Steuerung hat wegen eines Zusammenstoßes gehalten, oder wegen einer Last, die sie nicht kennt (Fehler { $value }). Quittieren Sie das in UFACTORY Studio, prüfen Sie dort die Last, und beginnen Sie neu.
+xarm-self-collision = die Steuerung hat gehalten, weil der Arm sich selbst zu nahe kam (Fehler { $value }). Bewegen Sie ihn in UFACTORY Studio auseinander, und vergleichen Sie das dort gesetzte Werkzeug mit der Zelle.
+xarm-joint-limit = ein Gelenk ist jenseits der Grenzen der Steuerung (Fehler { $value }). Bewegen Sie es in UFACTORY Studio zurück, und ziehen Sie die Grenzen im URDF enger.
+xarm-speed = die Steuerung hat gehalten, weil der Arm ihr zu schnell war (Fehler { $value }). Beginnen Sie mit kleinerem --speed neu; hilft das nicht, ist dieser Rechner oder die Leitung spät.
+xarm-boundary = die Steuerung hat an ihrer Sicherheitsgrenze gehalten (Fehler { $value }). Bewegen Sie den Arm zurück, und weiten Sie die Grenze oder ziehen Sie die Zonen der Zelle ein.
+xarm-sensor = die Steuerung meldet einen Fehler ihres Kraft-Momenten-Sensors: keine Daten, oder mehr Kraft, als er verträgt (Fehler { $value }). Prüfen Sie Last, Anbau und Kabel, quittieren Sie den Fehler in UFACTORY Studio, und beginnen Sie neu.
+xarm-motor = die Steuerung meldet einen Fehler am Motor eines Gelenks (Fehler { $value }). Lesen Sie in UFACTORY Studio nach, starten Sie den Roboter neu, und beginnen Sie neu.
+xarm-error = die Steuerung meldet den Fehler { $value }. Lesen Sie in UFACTORY Studio nach, quittieren Sie ihn dort, und beginnen Sie neu.

@@ -1,0 +1,26 @@
+# A UFACTORY arm.
+xarm-link-lost = no sample and no answer from the robot at { $host } for { MILLI($value) } ms; it stands at the last position that it was sent. Check the line between this computer and the controller, and begin again.
+xarm-starved = the robot was sent nothing for { MILLI($value) } ms (limit { MILLI($limit) } ms) while it moved, so it has stopped where it was sent last; it stands. This computer was too busy, or the line was late. Begin again.
+xarm-not-begun = the robot at { $host } has not switched servo motion on within { FIXED($limit_s, digits: 0) } s; nothing has moved. Look for a message in UFACTORY Studio, and whether another program moves the robot.
+xarm-rate = the controller at { $host } reports every { MILLI($found_s, digits: 1) } ms, and session.rate_hz says every { MILLI($expected_s, digits: 1) } ms; nothing has moved. It reports 200 times a second with its force/torque sensor on and 250 times without: correct session.rate_hz, or switch the sensor.
+xarm-motors-off = its motors are off or their brakes are closed. Enable the robot in UFACTORY Studio.
+xarm-simulation = it is in simulation mode: the arm would not move. Switch that off in UFACTORY Studio.
+xarm-force-control = the force/torque sensor of the robot at { $host } is in a force control mode, in which forces move the arm; nothing has moved. End that mode in UFACTORY Studio.
+xarm-sensor-not-on = the force/torque sensor of the robot at { $host } cannot be switched on; nothing has moved. Check that it is mounted, its cable, and whether UFACTORY Studio finds it. Where the robot has none, name one in session.sensor.
+xarm-sensor-went-off = somebody has switched the force/torque sensor off; the robot was stopped. Begin again.
+xarm-sensor-zeroed = somebody has set the zero of the force/torque sensor; the robot was stopped, and nothing is recorded across it. Begin again.
+xarm-payload-changed = the payload of the controller was changed from { FIXED($limit, digits: 3) } to { FIXED($value, digits: 3) } kg, or its centre of mass; the robot was stopped, and nothing is recorded across it. Begin again.
+xarm-tool-changed = somebody has changed the tool centre point in the controller; the robot was stopped. Begin again.
+xarm-mode = somebody else has put the controller into mode { $value } (Heft needs { $limit }, servo motion); the robot has stopped. Close what else moves the robot, UFACTORY Studio for one, and begin again.
+xarm-paused = the motion was paused in UFACTORY Studio or by another program. Begin again; a run is put on hold in Heft.
+xarm-stopped = the motion was stopped in UFACTORY Studio or by another program, or the controller has switched the motors off. Find out why, and begin again.
+xarm-reset = somebody has changed settings of the controller, which ends every motion. Begin again.
+xarm-emergency = an emergency stop is pressed (error { $value }). Release it when it is safe, enable the robot in UFACTORY Studio, and begin again.
+xarm-collision = the controller stopped for a collision, or for a payload that it does not know (error { $value }). Clear it in UFACTORY Studio, check the payload there, and begin again.
+xarm-self-collision = the controller stopped because the arm came too near to itself (error { $value }). Move it apart in UFACTORY Studio, and compare the tool that is set there with the cell.
+xarm-joint-limit = a joint is beyond the limits of the controller (error { $value }). Move it back in UFACTORY Studio, and draw the URDF's limits in.
+xarm-speed = the controller stopped because the arm was too fast for it (error { $value }). Begin again with a lower --speed; where that does not help, this computer or the line is late.
+xarm-boundary = the controller stopped at its safety boundary (error { $value }). Move the arm back, and widen the boundary or draw the cell's zones in.
+xarm-sensor = the controller reports a fault of its force/torque sensor: no data, or more force than it can take (error { $value }). Check load, mounting and cable, clear the error in UFACTORY Studio, and begin again.
+xarm-motor = the controller reports a fault of a joint's motor (error { $value }). Read what UFACTORY Studio says of it, restart the robot, and begin again.
+xarm-error = the controller reports the error { $value }. Read what UFACTORY Studio says of it, clear it there, and begin again.
