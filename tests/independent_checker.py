@@ -24,7 +24,7 @@ import trimesh
 from numba import njit
 
 from core.array import Array
-from core.cell.cell import Box, Cell, Payload, Shape
+from core.cell.cell import Box, Cell, Mesh, Obstacle, Payload, Shape, Zone
 from tests.convex_distance import EXACT_M, Convex, ball, bounds, box, capsule, packed
 from tests.free_flight import deepest_flight
 from tests.independent_arm import Arm, Body, Inertia, pose
@@ -122,7 +122,7 @@ class IndependentChecker:
         self.payload = box(np.array(payload_box.size_m))
         moving = [*self.arm.bodies, Body(PAYLOAD, self.arm.n, self.payload.moved(at_sensor))]
         things = [(item, "obstacle") for item in cell.obstacles] + [(item, "zone") for item in cell.zones]
-        standing = [(Body(item.name, 0, _convex(item.shape)), kind) for item, kind in things]
+        standing = [(_standing(cell, item), kind) for item, kind in things]
         below = pose([0.0, 0.0, cell.floor_z_m - 0.5 * _FLOOR_SIZE_M[2]], np.zeros(3))
         standing.append((Body(FLOOR, 0, box(_FLOOR_SIZE_M).moved(below)), FLOOR))
         self._kinds = {body.name: kind for body, kind in standing}
@@ -416,6 +416,16 @@ def _hull_triangles(body: Convex) -> Array:
         rim = body.disc_m / np.cos(np.pi / 96) * (np.cos(angle) * across[0] + np.sin(angle) * across[1])
         points = (points[:, None] + rim).reshape(-1, 3)
     return np.array(trimesh.convex.convex_hull(points).triangles)
+
+
+def _standing(cell: Cell, item: Obstacle | Zone) -> Body:
+    """An obstacle or a zone; a mesh as trimesh reads it, with its triangles."""
+    if not isinstance(item.shape, Mesh):
+        return Body(item.name, 0, _convex(item.shape))
+    mesh = trimesh.load_mesh(cell.folder / item.shape.file)
+    place = pose(item.shape.pose.xyz_m, item.shape.pose.rpy_rad)
+    points = mesh.vertices * item.shape.scale @ place[:3, :3].T + place[:3, 3]
+    return Body(item.name, 0, Convex(np.array(trimesh.convex.convex_hull(points).vertices)), points[mesh.faces])
 
 
 def _convex(shape: Shape) -> Convex:

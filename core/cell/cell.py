@@ -26,6 +26,7 @@ from core.payload.shapes import (
     Box,
     Capsule,
     Cylinder,
+    Mesh,
     Model,
     NotNegative,
     Number,
@@ -35,12 +36,13 @@ from core.payload.shapes import (
     Six,
     SixPositive,
     Sphere,
+    StandingShape,
     Vector3,
 )
 from core.payload.site import Site, gravity_at
 
 __all__ = [
-    "Box", "Capsule", "Cell", "Control", "Cylinder", "Friction", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor",
+    "Box", "Capsule", "Cell", "Control", "Cylinder", "Friction", "Limits", "Mesh", "Obstacle", "Payload", "Pose", "Robot", "Sensor",
     "Shape", "Sphere", "Tool", "Zone",
 
 ]  # fmt: skip
@@ -57,7 +59,7 @@ class Obstacle(Model):
     """Something solid that stands in the cell."""
 
     name: Name = Field(description="Name of the obstacle.", examples=["bench"])
-    shape: Shape = Field(description="Its shape and place, world frame.")
+    shape: StandingShape = Field(description="Its shape and place, world frame.")
 
 
 class Zone(Model):
@@ -246,6 +248,11 @@ class Cell(Model):
     def gravity_in_base(self) -> Array:
         """(3,), base frame, m/s2."""
         return np.asarray(self.robot.base.rotation.T @ self.gravity)
+
+    @property
+    def standing(self) -> list[Obstacle | Zone]:
+        """Everything that the robot must keep away from: obstacles, then zones."""
+        return [*self.obstacles, *self.zones]
 
     @cached_property
     def urdf(self) -> str:

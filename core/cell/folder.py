@@ -25,7 +25,7 @@ from core.cell.session import (
 )  # fmt: skip
 from core.cell.tool import Tool
 from core.cell.tool_checks import tool_flaws
-from core.cell.urdf import Urdf, check_urdf
+from core.cell.urdf import Urdf, check_mesh_file, check_urdf
 from core.errors import BadCell, BadInput, refuse, together
 from core.files.jail import read_inside
 from core.files.schema_flaw import MOST_LETTERS, schema_flaw
@@ -34,6 +34,7 @@ from core.payload.shapes import (
     Box,
     Capsule,
     Cylinder,
+    Mesh,
     Pose,
     Sphere,
 )
@@ -109,6 +110,9 @@ def _check_urdf(cell: Cell) -> None:
     urdf.check_shapes(cell.robot.base_frame, cell.robot.sensor_frame, cell.robot.visual_shapes)
     urdf.check_meshes(cell.folder)
     refuse(list(tool_flaws(cell, urdf)))
+    for obstacle in cell.obstacles:
+        if isinstance(obstacle.shape, Mesh):
+            check_mesh_file(cell.folder, obstacle.shape.file, cell.locate(f"obstacles.{obstacle.name}.shape.file"), BadCell)
 
 
 def _check_visual_shapes(cell: Cell, urdf: Urdf) -> None:
@@ -187,7 +191,7 @@ def _session_flaw(error: ErrorDetails, where: str) -> BadCell:
 def _keys() -> list[str]:
     """Every key of the format."""
     links = (SimulatedRobot, UniversalRobot, XarmRobot, NetFtSensor, BotaSensor, RobotiqSensor)
-    shapes = (Box, Sphere, Capsule, Cylinder, Pose)
+    shapes = (Box, Sphere, Capsule, Cylinder, Mesh, Pose)
     models = (Cell, Site, Robot, Friction, Sensor, SensorCalibration, Limits, Control, Payload, Tool, Obstacle, Zone, *shapes, *links)
     return sorted({key for model in models for key in model.model_fields} - {"folder"})
 

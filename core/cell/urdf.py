@@ -16,7 +16,7 @@ from pathlib import Path, PurePosixPath
 import numpy as np
 
 from core.cell.urdf_elements import LIMITS, UrdfJoint, UrdfLink, check_elements, parse, read_joint, read_link
-from core.errors import BadRobot
+from core.errors import BadInput, BadRobot
 from core.files.jail import find_inside
 from core.words.message import Message
 
@@ -140,10 +140,18 @@ class Urdf:
             BadRobot: an absolute path, a URL such as package://, a path that leads outside, or no such file.
         """
         for name in self.meshes:
-            where = f"{self.where}: mesh"
-            if "://" in name or "\\" in name or PurePosixPath(name).is_absolute():
-                raise BadRobot(where, "description-mesh-elsewhere", name=name)
-            find_inside(folder, name, BadRobot, max_bytes=MAX_MESH_BYTES, where=where)
+            check_mesh_file(folder, name, f"{self.where}: mesh", BadRobot)
+
+
+def check_mesh_file(folder: Path, name: str, where: str, refusal: type[BadInput]) -> None:
+    """A mesh is a file inside the folder, named by a relative path.
+
+    Raises:
+        BadInput: of the given kind: it is not.
+    """
+    if "://" in name or "\\" in name or PurePosixPath(name).is_absolute():
+        raise refusal(where, "description-mesh-elsewhere", name=name)
+    find_inside(folder, name, refusal, max_bytes=MAX_MESH_BYTES, where=where)
 
 
 @lru_cache(maxsize=8)

@@ -185,6 +185,7 @@ def _example(parts: CellParts) -> list[str]:
         "# [[obstacles]]",
         '# name = "table"',
         f'# shape = {{ kind = "box", size_m = [1.2, 1.2, 0.1], pose.xyz_m = [0.0, 0.0, {parts.floor_z - 0.05:g}] }}',
+        '# shape = { kind = "mesh", file = "meshes/fixture.stl", scale = [0.001, 0.001, 0.001], pose.xyz_m = [0.6, -0.4, 0.0] }  # instead',
         "#",
         "# Where people may be: neither the robot nor a load that comes off gets into it.",
         "# [[zones]]",

@@ -110,4 +110,22 @@ class Cylinder(Model):
         return float(min(self.radius_m - np.hypot(x, y), 0.5 * self.length_m - abs(z)))
 
 
+class Mesh(Model):
+    """A body of which a file has the triangles, with the file's origin and axes at `pose`."""
+
+    kind: Literal["mesh"] = Field(description="Tells which shape it is.")
+    file: str = Field(
+        min_length=1,
+        max_length=200,
+        description="STL, OBJ or DAE file in the cell's folder, in metres once it is scaled.",
+        examples=["meshes/fixture.stl"],
+    )
+    scale: tuple[Positive, Positive, Positive] = Field(
+        default=(1.0, 1.0, 1.0), description="Factors along the file's axes; 0.001 for millimetres.", examples=[[0.001, 0.001, 0.001]]
+    )
+    pose: Pose = Field(default=Pose(), description="Where the file's origin is.")
+
+
 Shape = Annotated[Box | Sphere | Capsule | Cylinder, Field(discriminator="kind")]
+StandingShape = Annotated[Box | Sphere | Capsule | Cylinder | Mesh, Field(discriminator="kind")]
+"""Of what stands there and nobody draws with a finger."""

@@ -74,7 +74,9 @@ class RoomBound:
     """
 
     def __init__(self, chain: Chain, collision: CollisionModel, room: LinkRoom) -> None:
-        pairs = collision.pairs[0]
+        watched = collision.pairs[0]
+        kept = [k for k, (_, thing) in enumerate(watched) if not isinstance(thing.geometry, coal.ConvexBase)]  # a mesh bounds nothing here
+        pairs = [watched[k] for k in kept]
         bodies = list({id(body): body for body, _ in pairs}.values())
         things = list({id(thing): thing for _, thing in pairs}.values())
         self._chain, self._clearance = chain, collision.cell.limits.clearance_m
@@ -86,7 +88,7 @@ class RoomBound:
         self._first = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
         number = {id(each): k for each_of in (bodies, things) for k, each in enumerate(each_of)}
         self._pairs = np.array([[number[id(body)], number[id(thing)]] for body, thing in pairs], dtype=np.int64).reshape(-1, 2)
-        self._required, self._share = collision.required_m[: len(pairs)], collision.share[: len(pairs)]
+        self._required, self._share = collision.required_m[kept], collision.share[kept]
         scales = dict(zip(room.names, room.scale, strict=True))
         self._scale = np.array([scales[body.name] for body, _ in pairs])
         self._solids = _solids_of([(thing, collision.placement_of(thing)) for thing in things])

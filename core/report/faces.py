@@ -12,8 +12,8 @@ import pinocchio as pin
 from scipy.spatial import ConvexHull
 
 from core.array import Array
-from core.cell.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
-from core.robot.bodies import LinkShape, collision_shapes, visual_shapes
+from core.cell.cell import Box, Capsule, Cell, Cylinder, Mesh, Shape, Sphere
+from core.robot.bodies import LinkShape, collision_shapes, obstacle_parts, visual_shapes
 from core.robot.model import RobotModel
 
 Faces = list[Array]
@@ -118,7 +118,7 @@ def place_faces(faces: Faces, rotation: Array, position: Array) -> Faces:
 
 
 def shape_faces(shape: Shape) -> Faces:
-    """An obstacle's or zone's shape in the world."""
+    """A zone's shape, or that of an obstacle that is no mesh, in the world."""
     match shape:
         case Box():
             faces = box_faces(np.array(shape.size_m))
@@ -129,6 +129,21 @@ def shape_faces(shape: Shape) -> Faces:
         case Cylinder():
             faces = cylinder_faces(shape.radius_m, shape.length_m)
     return place_faces(faces, shape.pose.rotation, shape.pose.translation)
+
+
+def standing_faces(cell: Cell) -> dict[str, list[Faces]]:
+    """Obstacles, then zones, by their names: the faces of each, of a mesh those of each of its convex parts, in the world.
+
+    Raises:
+        BadRobot: a mesh that cannot be used.
+    """
+    parts = obstacle_parts(cell)
+    return {
+        item.name: [place_faces(mesh_faces(part), item.shape.pose.rotation, item.shape.pose.translation) for part in parts[item.name]]
+        if isinstance(item.shape, Mesh)
+        else [shape_faces(item.shape)]
+        for item in cell.standing
+    }
 
 
 def arm_faces(cell: Cell, robot: RobotModel, q: Array, parts: list[Part] | None = None) -> Faces:

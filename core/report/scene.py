@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from html import escape
+from itertools import chain
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from core.array import Array
 from core.cell.cell import Box, Cell
 from core.cell.tools import tool_boxes
 from core.planning.start_configuration import StartConfiguration
-from core.report.faces import Faces, Part, arm_faces, box_faces, place_faces, shape_faces
+from core.report.faces import Faces, Part, arm_faces, box_faces, place_faces, standing_faces
 from core.robot.model import RobotModel, SensorPose
 from core.words.wording import ENGLISH, Wording
 
@@ -83,8 +84,9 @@ def scene(
     arm = arm_faces(cell, robot, start.q, robot_parts)
     load = [face for box in boxes for face in place_faces(box, sensor.rotation, sensor.position)]
     body = np.concatenate([*arm, *load])
-    things = [(thing.name, "obstacle", shape_faces(thing.shape)) for thing in cell.obstacles]
-    things += [(zone.name, "zone", shape_faces(zone.shape)) for zone in cell.zones]
+    zones = {zone.name for zone in cell.zones}
+    standing = standing_faces(cell)
+    things = [(name, "zone" if name in zones else "obstacle", [*chain.from_iterable(parts)]) for name, parts in standing.items()]
     seen = _near(things, cell.robot.base.translation, _reach(robot))
     view = _least_hidden(seen, body)
     behind, before = _split(seen, body, view)

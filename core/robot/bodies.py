@@ -12,7 +12,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from core.array import Array
-from core.cell.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
+from core.cell.cell import Box, Capsule, Cell, Cylinder, Mesh, Shape, Sphere
 from core.cell.tools import tool_boxes
 from core.cell.urdf import check_urdf
 from core.cell.urdf_elements import UrdfShape
@@ -122,7 +122,7 @@ def _link_shapes(cell: Cell, robot: RobotModel) -> tuple[list[LinkShape], list[L
     shapes += [(link.name, shape, True) for link in urdf.bodies if link.name in cell.robot.visual_shapes for shape in link.visual]
     shapes += [(link.name, shape, False) for link in urdf.bodies for shape in link.visual]
     meshed = [each for each in shapes if each[1].kind == "mesh"]
-    wanted = [WantedMesh(f"{urdf.where}: link {name!r}", shape, solid) for name, shape, solid in meshed]
+    wanted = [WantedMesh(f"{urdf.where}: link {name!r}", shape.file, shape.sizes, solid) for name, shape, solid in meshed]
     meshes = iter(read_meshes(cell.folder, wanted))
     found: tuple[list[LinkShape], list[LinkShape]] = [], []
     for name, shape, solid in shapes:
@@ -171,8 +171,36 @@ def _attach_box(name: str, robot: RobotModel, box: Box) -> Body:
     return Body(name, robot.n, coal.Box(*box.size_m), placement, carried=True)
 
 
+def standing_bodies(cell: Cell) -> dict[str, tuple[Body, ...]]:
+    """Obstacles, then zones, by their names; of a mesh the convex parts that contain it.
+
+    Raises:
+        BadRobot: a mesh that cannot be used.
+    """
+    parts = obstacle_parts(cell)
+    found = {}
+    for item in cell.standing:
+        if isinstance(item.shape, Mesh):
+            placement = pin.SE3(item.shape.pose.rotation, item.shape.pose.translation)
+            found[item.name] = tuple(Body(item.name, 0, _hull(part), placement) for part in parts[item.name])
+        else:
+            found[item.name] = (make_fixed_body(item.name, item.shape),)
+    return found
+
+
+def obstacle_parts(cell: Cell) -> dict[str, tuple[Array, ...]]:
+    """Corners (k, 3) of the convex parts that contain each obstacle that is a mesh, in the frame of its `pose`, m.
+
+    Raises:
+        BadRobot: a mesh that cannot be used.
+    """
+    meshes = [(item.name, item.shape) for item in cell.obstacles if isinstance(item.shape, Mesh)]
+    wanted = [WantedMesh(cell.locate(f"obstacles.{name}"), shape.file, shape.scale, solid=True) for name, shape in meshes]
+    return {name: mesh.parts for (name, _), mesh in zip(meshes, read_meshes(cell.folder, wanted), strict=True)}
+
+
 def make_fixed_body(name: str, shape: Shape) -> Body:
-    """An obstacle or a zone."""
+    """An obstacle or a zone that is no mesh."""
     return Body(name, 0, _coal(shape), pin.SE3(shape.pose.rotation, shape.pose.translation))
 
 

@@ -6,7 +6,9 @@ distance minus what is required; margins are signed, negative where a pair is to
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -15,7 +17,7 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.cell.body_name import name_body
-from core.cell.cell import Box, Cell, Obstacle, Pose, Zone
+from core.cell.cell import Box, Cell, Pose
 from core.cell.contradictions import BASE_IN_OBSTACLE
 from core.errors import BadCell, NoRoomAtHome
 from core.payload.shapes import Shape
@@ -30,6 +32,7 @@ from core.robot.bodies import (
     make_fixed_body,
     payload_body,
     reach_of,
+    standing_bodies,
     tool_bodies,
 )  # fmt: skip
 from core.robot.model import RobotModel
@@ -56,6 +59,7 @@ class CollisionModel:
 
     Raises:
         BadCell: something stands where the robot's base is, or the home configuration is too close to something.
+        BadRobot: a mesh, also an obstacle's, that cannot be used.
         NoRoomAtHome: the payload box is, which is another one than the cell's.
     """
 
@@ -64,9 +68,9 @@ class CollisionModel:
         self.robot = robot
         self.payload_box = payload_box
         bodies = [*link_bodies(cell, robot), *tool_bodies(cell, robot), payload_body(robot, payload_box)]
-        self._things = {item.name: make_fixed_body(item.name, item.shape) for item in _list_obstacles_and_zones(cell)}
-        things = [*self._things.values(), floor_body(cell.floor_z_m)]  # whose name may be an obstacle's as well
-        self._zones = [self._things[zone.name] for zone in cell.zones]
+        self._things = standing_bodies(cell)
+        things = [*chain.from_iterable(self._things.values()), floor_body(cell.floor_z_m)]  # whose name may be an obstacle's as well
+        self._zones = [part for zone in cell.zones for part in self._things[zone.name]]
         self._base = [body for body in bodies if body.joint == 0]
         self._moving = [body for body in bodies if body.joint > 0]
         self.points = corners_of(bodies)
@@ -85,8 +89,8 @@ class CollisionModel:
         own, keep = self._own_pairs(bodies), cell.limits.self_clearance_m
         asked = {Watch.CLEARANCE: keep, Watch.TIGHT: keep, Watch.CONTACT: CONTACT_M}
         self._own = {watch: PairGroup(robot, required_m, own[watch]) for watch, required_m in asked.items()}
-        for thing in things:
-            self._watch_standing(thing, thing.placement)
+        for parts in (*self._things.values(), things[-1:]):
+            self._watch_standing(parts, parts[0].placement)
         _check_base(cell, bodies, things)
         _check_home(cell, self)
 
@@ -189,11 +193,12 @@ class CollisionModel:
         """
         if name not in self._things:
             raise BadCell(f"{self.cell.folder.name}/cell.toml", "robot-nothing-of-that-name", name=name, names=list(self._things))
-        thing, placement = self._things[name], pin.SE3(pose.rotation, pose.translation)
-        for group in (*self._standing.values(), self._clear):
-            group.move(thing, placement)
-        self._placements[id(thing)] = placement
-        self._watch_standing(thing, placement)
+        parts, placement = self._things[name], pin.SE3(pose.rotation, pose.translation)
+        for part in parts:
+            for group in (*self._standing.values(), self._clear):
+                group.move(part, placement)
+            self._placements[id(part)] = placement
+        self._watch_standing(parts, placement)
 
     def placement_of(self, thing: Body) -> Any:
         """Where an obstacle, a zone or the floor is now, world frame."""
@@ -213,7 +218,7 @@ class CollisionModel:
             self.move(name, shape.pose)
             return
         if known is not None:
-            self._forget_zone(self._things.pop(name))
+            self._forget_zone(*self._things.pop(name))
         if shape is not None:
             self._add_zone(make_fixed_body(name, shape))
 
@@ -225,12 +230,12 @@ class CollisionModel:
                 group.use((body, zone), wanted=False)
 
     def _add_zone(self, zone: Body) -> None:
-        self._things[zone.name] = zone
+        self._things[zone.name] = (zone,)
         self._zones.append(zone)
         pairs = [(body, zone) for body in self._moving]
         self._standing[Watch.CLEARANCE].add(pairs)
         self._clear.add([pair for pair in pairs if may_be_near(pair[0])])
-        self._watch_standing(zone, zone.placement)
+        self._watch_standing((zone,), zone.placement)
 
     def _own_pairs(self, bodies: list[Body]) -> dict[Watch, list[tuple[Body, Body]]]:
         """The pairs within the arm, by what they have to keep."""
@@ -244,12 +249,13 @@ class CollisionModel:
                     self._note((first, second), rule)
         return found
 
-    def _watch_standing(self, thing: Body, placement: Any) -> None:
+    def _watch_standing(self, parts: Sequence[Body], placement: Any) -> None:
         """Chooses what the moving bodies have to keep from an obstacle, a zone or the floor that is there now."""
-        there = replace(thing, placement=placement)
-        is_mount = not self._is_zone(thing) and self._is_mount(there)
+        placed = {id(part): replace(part, placement=placement) for part in parts}
+        is_mount = not self._is_zone(parts[0]) and any(self._is_mount(there) for there in placed.values())
         for pair in self._standing[Watch.CLEARANCE].bodies:
-            if pair[1] is thing:
+            if id(pair[1]) in placed:
+                there = placed[id(pair[1])]
                 distance = PairGroup(self.robot, 0.0, [(pair[0], there)]).margin
                 rule = rule_of_standing(self.robot, (pair[0], there), distance, self.cell.limits.clearance_m, is_mount=is_mount)
                 for watch, group in self._standing.items():
@@ -268,11 +274,6 @@ class CollisionModel:
         """Why nobody watches a pair."""
         if rule.why is not None:
             self._why[pair[0].name, pair[1].name] = rule.why
-
-
-def _list_obstacles_and_zones(cell: Cell) -> list[Obstacle | Zone]:
-    """Everything that the robot must keep away from."""
-    return [*cell.obstacles, *cell.zones]
 
 
 def _check_base(cell: Cell, bodies: list[Body], things: list[Body]) -> None:
@@ -320,7 +321,7 @@ def _refuse_box(cell: Cell, nearest: Nearest) -> NoRoomAtHome:
 
 def _name_keys_of_requirement(cell: Cell, nearest: Nearest) -> Message:
     """The keys of cell.toml that would change the distance required of that pair."""
-    if nearest.second in {FLOOR, *(item.name for item in _list_obstacles_and_zones(cell))}:
+    if nearest.second in {FLOOR, *(item.name for item in cell.standing)}:
         return Message.of("robot-keys-of-clearance")
     if nearest.first in {PAYLOAD, *cell.tools, *(link for tool in cell.tools.values() for link in tool.links or ())}:
         return Message.of("robot-keys-of-carried")

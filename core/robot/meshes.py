@@ -1,4 +1,4 @@
-"""Meshes of a robot, each read once."""
+"""Meshes of a robot and of what stands in its cell, each read once."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.cell.urdf import MAX_MESH_BYTES
-from core.cell.urdf_elements import UrdfShape
 from core.errors import BadRobot
 from core.files.confinement import Arrays, KnownFiles, Order
 from core.files.jail import find_inside
@@ -35,15 +34,17 @@ class Mesh:
 
 @dataclass(frozen=True)
 class WantedMesh:
-    """A link's shape that is a mesh.
+    """A shape of a link or of an obstacle that is a mesh.
 
     Args:
         where: file and key, for the sentence.
+        scale: (3,), factors along the mesh's axes.
         solid: whether something may run into it.
     """
 
     where: str
-    shape: UrdfShape
+    file: str
+    scale: tuple[float, ...]
     solid: bool
 
 
@@ -57,10 +58,9 @@ def read_meshes(folder: Path, wanted: Sequence[WantedMesh]) -> list[Mesh]:
 
 
 def _order(folder: Path, wanted: WantedMesh) -> Order:
-    shape = wanted.shape
-    where = f"{wanted.where}: mesh {shape.file!r}"
-    file = find_inside(folder, shape.file, BadRobot, max_bytes=MAX_MESH_BYTES, where=where)
-    return {"file": str(file), "scale": list(shape.sizes), "where": where, "solid": wanted.solid}
+    where = f"{wanted.where}: mesh {wanted.file!r}"
+    file = find_inside(folder, wanted.file, BadRobot, max_bytes=MAX_MESH_BYTES, where=where)
+    return {"file": str(file), "scale": list(wanted.scale), "where": where, "solid": wanted.solid}
 
 
 def _mesh(arrays: Arrays) -> Mesh:

@@ -9,9 +9,9 @@ from enum import StrEnum
 import numpy as np
 
 from core.array import Array
-from core.cell.cell import Cell, Obstacle, Zone
+from core.cell.cell import Cell, Mesh
 from core.second_opinion.arm import ArmBody, Frames, SolidArm, frame_of_pose
-from core.second_opinion.solids import PlacedSolid, Solid, box, distance, hull_distance, place, solid_of_shape
+from core.second_opinion.solids import PlacedSolid, Solid, box, distance, hull_distance, place, solid_of_shape, solids_of_meshes
 from core.words.message import Message
 
 FLOOR = "floor"
@@ -133,9 +133,11 @@ def place_bodies(arm: SolidArm, q: Array) -> list[Placed]:
 def place_standing(cell: Cell) -> list[Placed]:
     """Obstacles, zones and, last, the floor."""
     found = []
-    for item in _things(cell):
+    meshes = iter(solids_of_meshes([item.shape for item in cell.obstacles if isinstance(item.shape, Mesh)], cell.folder))
+    for item in cell.standing:
         pose = frame_of_pose(item.shape.pose)
-        found.append(Placed(item.name, 0, solid_of_shape(item.shape), Frames(pose.rotation[None], pose.position[None])))
+        solid = next(meshes) if isinstance(item.shape, Mesh) else solid_of_shape(item.shape)
+        found.append(Placed(item.name, 0, solid, Frames(pose.rotation[None], pose.position[None])))
     x, y, _ = cell.robot.base.xyz_m
     middle = np.array([[x, y, cell.floor_z_m - 0.5 * BELOW_M]])
     found.append(Placed(FLOOR, 0, box(np.array([ACROSS_M, ACROSS_M, BELOW_M])), Frames(np.eye(3)[None], middle)))
@@ -154,10 +156,6 @@ def classify_pairs(cell: Cell, arm: SolidArm) -> list[AccountedPair]:
                 asked = _classify_against_standing(cell, arm, body, thing, is_mount=mounts[k])
                 found.append(AccountedPair(body.name, thing.name, *asked, (i, len(arm.bodies) + k), body.joint))
     return [*found, *_own_pairs(cell, arm)]
-
-
-def _things(cell: Cell) -> list[Obstacle | Zone]:
-    return [*cell.obstacles, *cell.zones]
 
 
 def _is_mount(arm: SolidArm, thing: Placed) -> bool:

@@ -25,7 +25,7 @@ from scipy.optimize import nnls
 from scipy.spatial import ConvexHull, QhullError
 
 from core.array import Array
-from core.cell.cell import Box, Capsule, Cylinder, Shape, Sphere
+from core.cell.cell import Box, Capsule, Cylinder, Mesh, Shape, Sphere
 from core.second_opinion.surfaces import Surface, read_surfaces, winding_number
 
 SIDES = 64
@@ -149,6 +149,16 @@ def solids_of_geometries(geometries: Sequence[ET.Element], folder: Path) -> list
     scales = [parse_vector(mesh.get("scale", "1 1 1")) for mesh in meshes]
     surfaces = iter(read_surfaces([folder / mesh.get("filename", "") for mesh in meshes], scales))
     return [_of_surface(next(surfaces)) if geometry[0].tag == "mesh" else _primitive(geometry[0]) for geometry in geometries]
+
+
+def solids_of_meshes(meshes: Sequence[Mesh], folder: Path) -> list[Solid]:
+    """Of obstacles that are meshes in that folder, about the origins of their files.
+
+    Raises:
+        BadRobot: a mesh that cannot be read here.
+    """
+    surfaces = read_surfaces([folder / mesh.file for mesh in meshes], [np.array(mesh.scale) for mesh in meshes])
+    return [_of_surface(surface) for surface in surfaces]
 
 
 def _of_surface(surface: Surface) -> Solid:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.cell.cell import Cell
-from core.report.faces import Faces, arm_faces, shape_faces
+from core.report.faces import Faces, arm_faces, standing_faces
 from core.robot.model import RobotModel
 from server.viewer.wish import Look
 
@@ -67,8 +67,9 @@ def find_eye(cell: Cell, look: Look, points: Array, aspect: float, toward: Array
 
 def measure_occlusion(cell: Cell, eye: Array, points: Array) -> float:
     """Lines of sight from the eye (3,) to points (k, 3) that the cell's bodies cross, on average; a zone counts less."""
-    weights = [(it.shape, 1.0) for it in cell.obstacles] + [(it.shape, VEIL) for it in cell.zones]
-    return float(sum(weight * find_occluded(shape_faces(shape), eye, points).mean() for shape, weight in weights))
+    weights = {it.name: 1.0 for it in cell.obstacles} | {it.name: VEIL for it in cell.zones}
+    hidden = {name: np.any([find_occluded(part, eye, points) for part in parts], axis=0) for name, parts in standing_faces(cell).items()}
+    return float(sum(weight * hidden[name].mean() for name, weight in weights.items()))
 
 
 def find_occluded(faces: Faces, eye: Array, points: Array) -> NDArray[np.bool_]:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import chain
+
 import numpy as np
 import viser
 
 from core.array import Array
 from core.cell.cell import Obstacle, Zone
-from core.report.faces import Faces, link_parts, shape_faces
+from core.report.faces import Faces, link_parts, standing_faces
 from server.viewer.scene import INK, Colour, ViewerScene, add_body
 
 ABNORMAL: Colour = (255, 210, 31)
@@ -42,9 +44,7 @@ class Mark:
         self._hide(None)
         if name is None:
             return
-        cell = self._scene.cell
-        things: tuple[Obstacle | Zone, ...] = (*cell.obstacles, *cell.zones)
-        thing = next((it for it in things if it.name == name), None)
+        thing = next((it for it in self._scene.cell.standing if it.name == name), None)
         self._drawn.append(ROOT)
         sign = self._show_thing(thing) if thing is not None else self._show_link(name)
         self._nodes.add_label(f"{ROOT}/label", f"{SIGN} {name}", position=tuple(sign), anchor="bottom-center", font_screen_scale=1.5)
@@ -55,9 +55,10 @@ class Mark:
 
     def _show_thing(self, thing: Obstacle | Zone) -> Array:
         """Body and edges in place of what is plain there; where its sign stands."""
-        faces = shape_faces(thing.shape)
+        parts = standing_faces(self._scene.cell)[thing.name]
+        faces = [*chain.from_iterable(parts)]
         self._hide(f"/{'zones' if isinstance(thing, Zone) else 'obstacles'}/{thing.name}")
-        add_body(self._nodes, f"{ROOT}/body", swell(faces), ABNORMAL, OPACITY)
+        add_body(self._nodes, f"{ROOT}/body", [*chain.from_iterable(map(swell, parts))], ABNORMAL, OPACITY)
         self._nodes.add_line_segments(f"{ROOT}/edges", edges(faces), INK, thickness=EDGE_M)
         return nearest_to(faces, self._scene.find_box_corners(self._scene.payload_box).mean(axis=0))
 

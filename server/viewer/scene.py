@@ -15,7 +15,7 @@ from viser import _messages as messages
 from core.array import Array
 from core.cell.cell import Box, Cell
 from core.cell.tools import tool_boxes
-from core.report.faces import Faces, Part, arm_parts, joint_poses, shape_faces
+from core.report.faces import Faces, Part, arm_parts, joint_poses, shape_faces, standing_faces
 from core.robot.model import RobotModel
 from server.runner.live_schemas import NearestPart
 from server.runner.plan_schemas import RunPlan, ThrowPart
@@ -75,7 +75,12 @@ class ViewerScene:
         self._planned: list[Array] = []
         server.scene.add_grid("/floor", width=4.0, height=4.0, position=(0.0, 0.0, cell.floor_z_m))
         self._bodies: dict[str, viser.MeshHandle] = {}
-        self._obstacles = [Thing(f"/obstacles/{it.name}", shape_faces(it.shape), SOLID, 1.0) for it in cell.obstacles]
+        standing = standing_faces(cell)
+        self._obstacles = [
+            Thing(f"/obstacles/{it.name}{f'.{k}' if k else ''}", faces, SOLID, 1.0)  # of a mesh several parts, none of them in another
+            for it in cell.obstacles
+            for k, faces in enumerate(standing[it.name])
+        ]
         for obstacle in self._obstacles:
             self._mesh(*obstacle)
         self.things = self._obstacles
@@ -181,8 +186,9 @@ class ViewerScene:
 
     def set_visible(self, node: str, *, visible: bool) -> None:
         """Whether an obstacle or a zone is seen."""
-        if node in self._bodies:
-            self._bodies[node].visible = visible
+        for name, body in self._bodies.items():
+            if name == node or name.startswith(f"{node}."):
+                body.visible = visible
 
     def _mesh(self, name: str, faces: Faces, colour: Colour, opacity: float = 1.0) -> None:
         self._bodies[name] = add_body(self._server.scene, name, faces, colour, opacity)

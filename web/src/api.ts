@@ -5344,6 +5344,58 @@ export interface components {
             eta_s: number | null;
         };
         /**
+         * Mesh
+         * @description A body of which a file has the triangles, with the file's origin and axes at `pose`.
+         */
+        Mesh: {
+            /**
+             * @description Tells which shape it is. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "mesh";
+            /**
+             * File
+             * @description STL, OBJ or DAE file in the cell's folder, in metres once it is scaled.
+             * @example meshes/fixture.stl
+             */
+            file: string;
+            /**
+             * Scale
+             * @description Factors along the file's axes; 0.001 for millimetres.
+             * @default [
+             *       1,
+             *       1,
+             *       1
+             *     ]
+             * @example [
+             *       0.001,
+             *       0.001,
+             *       0.001
+             *     ]
+             */
+            scale?: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * @description Where the file's origin is.
+             * @default {
+             *       "xyz_m": [
+             *         0,
+             *         0,
+             *         0
+             *       ],
+             *       "rpy_rad": [
+             *         0,
+             *         0,
+             *         0
+             *       ]
+             *     }
+             */
+            pose?: components["schemas"]["Pose"];
+        };
+        /**
          * Message
          * @description A code of the catalogue and what its words name.
          */
@@ -5588,7 +5640,7 @@ export interface components {
              * Shape
              * @description Its shape and place, world frame.
              */
-            shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"];
+            shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"] | components["schemas"]["Mesh"];
         };
         /**
          * OpenedTrial
@@ -14401,6 +14453,7 @@ export type Limits = components['schemas']['Limits'];
 export type LinkOutline = components['schemas']['LinkOutline'];
 export type LinkPublic = components['schemas']['LinkPublic'];
 export type LiveBatch = components['schemas']['LiveBatch'];
+export type Mesh = components['schemas']['Mesh'];
 export type Message = components['schemas']['Message'];
 export type Minor = components['schemas']['Minor'];
 export type MotionCreate = components['schemas']['MotionCreate'];

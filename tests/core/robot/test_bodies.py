@@ -14,7 +14,6 @@ import trimesh
 from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
-from core.cell.urdf_elements import UrdfShape
 from core.robot.bodies import _hull
 from core.robot.meshes import Mesh, WantedMesh, read_meshes
 from core.second_opinion.solids import NEAR_M, Solid, distance, place, solids_of_geometries
@@ -30,8 +29,7 @@ FILES = (
 
 @cache
 def real() -> tuple[list[Mesh], list[Solid]]:
-    nowhere = np.zeros(3)
-    wanted = [WantedMesh("robot.urdf", UrdfShape("mesh", (1.0, 1.0, 1.0), file, nowhere, nowhere), solid=True) for file in FILES]
+    wanted = [WantedMesh("robot.urdf", file, (1.0, 1.0, 1.0), solid=True) for file in FILES]
     elements = [ET.fromstring(f'<geometry><mesh filename="{file}"/></geometry>') for file in FILES]
     return read_meshes(ROBOTS, wanted), solids_of_geometries(elements, ROBOTS)
 

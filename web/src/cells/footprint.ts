@@ -1,5 +1,5 @@
 import type { Pose } from '../api';
-import type { Shape, Three } from './shapes';
+import type { StandingShape, Three } from './shapes';
 
 export type Point = [number, number];
 /** Two axes of the world frame: seen from above, seen from the side. */
@@ -10,14 +10,18 @@ export const VIEWS: Record<ViewName, View> = { above: [0, 1], side: [0, 2] };
 
 const ROUND = 32;
 
+/** Half of the edge of the square that says where a mesh is, m: what it looks like is seen in three dimensions. */
+const MARK_M = 0.03;
+
 /** The outline of a shape as somebody sees it who looks along the third axis: its corners one after the other, m, world frame. */
-export function footprint(shape: Shape, [u, v]: View): Point[] {
+export function footprint(shape: StandingShape, [u, v]: View): Point[] {
   const seen = (point: Three): Point => {
     const there = placed(point, shape.pose);
     return [there[u], there[v]];
   };
-  if (shape.kind === 'box') {
-    const [x, y, z] = shape.size_m.map((length) => length / 2) as Three;
+  if (shape.kind === 'box' || shape.kind === 'mesh') {
+    const [x, y, z] =
+      shape.kind === 'mesh' ? [MARK_M, MARK_M, MARK_M] : (shape.size_m.map((length) => length / 2) as Three);
     const signs = [-1, 1];
     return hull(signs.flatMap((a) => signs.flatMap((b) => signs.map((c) => seen([a * x, b * y, c * z])))));
   }

@@ -1,12 +1,15 @@
-import type { Obstacle } from '../api';
+import type { Obstacle, Zone } from '../api';
 import { number, scaleOf, spelt } from '../ui/units';
 
-export type Shape = Obstacle['shape'];
+export type Shape = Zone['shape'];
+/** Of what stands in a cell: also a mesh, of which the page knows the file alone. */
+export type StandingShape = Obstacle['shape'];
 export type ShapeKind = Shape['kind'];
 export type Three = [number, number, number];
 
-/** How large a shape is: edges of a box, diameter of a ball, diameter and length of a capsule or a cylinder. */
-export function sizeOf(shape: Shape): string {
+/** How large a shape is: edges of a box, diameter of a ball, diameter and length of a capsule or a cylinder; of a mesh its file. */
+export function sizeOf(shape: StandingShape): string {
+  if (shape.kind === 'mesh') return shape.file;
   if (shape.kind === 'box') return lengths(shape.size_m);
   const across = `⌀ ${spelt('length', 2 * shape.radius_m)}`;
   return shape.kind === 'sphere' ? across : `${across} × ${spelt('length', shape.length_m)}`;
