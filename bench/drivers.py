@@ -1,7 +1,7 @@
 """The procedure through each driver, against a server of its protocol at the protocol's own rate: commands missed, latency, faults.
 
-`python -m bench.drivers [--minutes 10] [--faults 20] [--patience 20]`; with a patience the server's clock waits for each command, so that a
-computer that is busy with other things shows what driver and procedure do, not what it does itself.
+`python -m bench.drivers [ur xarm] [--minutes 10] [--faults 20] [--patience 20]`; with a patience the server's clock waits for each command,
+so that a computer that is busy with other things shows what driver and procedure do, not what it does itself.
 """
 
 from __future__ import annotations
@@ -13,32 +13,59 @@ from collections import Counter
 from collections.abc import Callable, Generator
 from pathlib import Path
 from random import Random
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
-from core.cell.session import UniversalRobot
+from core.cell.session import RealRobot, UniversalRobot, XarmRobot
 from core.errors import HeftError
 from core.events import Event, drive
-from core.fakes.ur_arm import EMERGENCY, UrArm
+from core.fakes import ur_arm, xarm_arm
+from core.fakes.ur_arm import UrArm
 from core.fakes.ur_server import UrServer
+from core.fakes.xarm_arm import XarmArm
+from core.fakes.xarm_server import XarmServer
 from core.procedure.identify import identify
 from core.procedure.outcome import Outcome
-from core.sessions.ur import UniversalRobotsSession
+from core.sessions.opening import DRIVERS
 
-HOST = "127.77.0.1"
 CELL = load_cell(find_cell("ur5e_line"))
 CARRIED = CELL.payloads["steel_block"]
+XARM_PORT = 5020
+Server = UrServer | XarmServer
 
 
-def cell_at(host: str, **said: str) -> Cell:
-    link = UniversalRobot.model_validate({"driver": "ur_rtde", "host": host, "model": "UR5e", **said})
-    return CELL.model_copy(update={"session": link})
+class Robot(NamedTuple):
+    """A driver and what stands in for its controller.
+
+    Args:
+        host: of the long runs; those of the faults are beside it.
+        serve: with the seed of the arm, at an address.
+    """
+
+    title: str
+    host: str
+    link: type[RealRobot]
+    said: dict[str, Any]
+    serve: Callable[[int, str, float | None], Server]
+    faults: dict[str, Callable[[Any, Random], None]]
+
+    def cell_at(self, host: str) -> Cell:
+        return CELL.model_copy(update={"session": self.link.model_validate({**self.said, "host": host})})
+
+
+def serve_ur(seed: int, host: str, patience_s: float | None) -> Server:
+    return UrServer(UrArm(CELL, CARRIED.parameters, seed=seed), host, patience_s=patience_s)
+
+
+def serve_xarm(seed: int, host: str, patience_s: float | None) -> Server:
+    return XarmServer(XarmArm(CELL, CARRIED.parameters, seed=seed), host, port=XARM_PORT, patience_s=patience_s)
 
 
 def run_procedure(cell: Cell, out: Path | None = None) -> Generator[Event, None, Outcome]:
-    session = UniversalRobotsSession(cell)
+    session = DRIVERS[cell.session.driver](cell)
     start = session.find_start()
     return identify(cell, session, CARRIED.box, payload="steel_block", reference=CARRIED, start=start, clock_waits=False, out=out)
 
@@ -47,39 +74,44 @@ def ignore(_: Event) -> None:
     """Nobody listens."""
 
 
-def measure_procedure(minutes: float, patience_s: float | None) -> None:
+def measure_procedure(robot: Robot, minutes: float, patience_s: float | None) -> None:
     """Procedures one after the other until the time is over."""
-    with UrServer(UrArm(CELL, CARRIED.parameters, seed=1), HOST, patience_s=patience_s) as server:
+    with robot.serve(1, robot.host, patience_s) as server:
         began, runs = time.monotonic(), 0
         while not runs or time.monotonic() < began + 60.0 * minutes:
             try:
-                outcome = drive(run_procedure(cell_at(HOST)), ignore)
+                outcome = drive(run_procedure(robot.cell_at(robot.host)), ignore)
             except HeftError as error:
                 print(f"  ended: {type(error).__name__}: {error}")
                 break
             runs += 1
             estimate = outcome.identification.estimate
             mass = np.nan if estimate is None else estimate.phi[0]
-            print(f"  procedure {runs}: {outcome.robot_s:.0f} s of motion, mass {mass:.4f} kg (true {CARRIED.mass_kg} kg)", flush=True)
+            known = 0 if estimate is None else int(np.isfinite(estimate.phi).sum())
+            print(
+                f"  procedure {runs}: {outcome.robot_s:.0f} s of motion, mass {mass:.4f} kg (true {CARRIED.mass_kg} kg), "
+                f"{known} of 10 parameters determined",
+                flush=True,
+            )
         arm = server.arm
         latency = 1e3 * np.array(server.latencies_s or [np.nan])
         print(
-            f"  {runs} procedures in {(time.monotonic() - began) / 60.0:.1f} min at {1 / 0.002:.0f} Hz: {arm.missed} of "
+            f"  {runs} procedures in {(time.monotonic() - began) / 60.0:.1f} min at {1 / server.period:.0f} Hz: {arm.missed} of "
             f"{arm.periods_followed} periods without a new command, by the server's count; {server.late_periods} periods began late on "
             f"this computer\n  latency from sample to command: median {np.median(latency):.2f} ms, 99.9 % {np.quantile(latency, 0.999):.2f}"
             f" ms, worst {latency.max():.2f} ms"
         )
 
 
-def make_lossy(server: UrServer, _: Random) -> None:
+def make_lossy(server: Server, _: Random) -> None:
     server.loss = 0.05
 
 
-def make_jittery(server: UrServer, _: Random) -> None:
+def make_jittery(server: Server, _: Random) -> None:
     server.jitter_s = 0.02
 
 
-def make_outage(server: UrServer, random: Random) -> None:
+def make_outage(server: Server, random: Random) -> None:
     def cut() -> None:
         server.cut = True
         time.sleep(1.0)
@@ -88,55 +120,86 @@ def make_outage(server: UrServer, random: Random) -> None:
     threading.Timer(random.uniform(0.3, 2.5), cut).start()
 
 
-def make_emergency(server: UrServer, random: Random) -> None:
-    threading.Timer(random.uniform(0.3, 2.5), lambda: server.order(lambda: server.arm.stop_safely(EMERGENCY))).start()
+def order_later(server: Server, random: Random, what: Callable[[], None]) -> None:
+    threading.Timer(random.uniform(0.3, 2.5), lambda: server.order(what)).start()
 
 
-def make_old(server: UrServer, _: Random) -> None:
+def make_ur_emergency(server: UrServer, random: Random) -> None:
+    order_later(server, random, lambda: server.arm.stop_safely(ur_arm.EMERGENCY))
+
+
+def make_xarm_emergency(server: XarmServer, random: Random) -> None:
+    order_later(server, random, lambda: server.arm.fail(xarm_arm.EMERGENCY))
+
+
+def change_mode(server: XarmServer, random: Random) -> None:
+    order_later(server, random, lambda: server.arm.set_mode(xarm_arm.POSITION))
+
+
+def make_ur_old(server: UrServer, _: Random) -> None:
     server.arm.version = (5, 4, 0, 0)
 
 
-def make_uncalibrated(server: UrServer, random: Random) -> None:
+def make_xarm_old(server: XarmServer, _: Random) -> None:
+    server.arm.version = "v1.12.8"
+
+
+def make_uncalibrated(server: Server, random: Random) -> None:
     server.arm.stretch = random.choice([-1, 1]) * random.uniform(0.006, 0.03)
 
 
-def swap_joints(server: UrServer, random: Random) -> None:
+def swap_joints(server: Server, random: Random) -> None:
     i, j = random.sample(range(6), 2)
     order = server.arm.order
     order[i], order[j] = order[j], order[i]
 
 
-FAULTS: dict[str, Callable[[UrServer, Random], None]] = {
+LINE: dict[str, Callable[[Any, Random], None]] = {
     "5 % lost packets": make_lossy,
     "20 ms jitter": make_jittery,
     "1 s outage": make_outage,
-    "emergency stop": make_emergency,
-    "wrong version": make_old,
-    "wrong calibration": make_uncalibrated,
-    "wrong joint order": swap_joints,
+}
+ANOTHER: dict[str, Callable[[Any, Random], None]] = {"wrong calibration": make_uncalibrated, "wrong joint order": swap_joints}
+ROBOTS = {
+    "ur": Robot(
+        "Universal Robots",
+        "127.77.0.1",
+        UniversalRobot,
+        {"driver": "ur_rtde", "model": "UR5e"},
+        serve_ur,
+        LINE | {"emergency stop": make_ur_emergency, "wrong version": make_ur_old} | ANOTHER,
+    ),
+    "xarm": Robot(
+        "UFACTORY",
+        "127.77.0.2",
+        XarmRobot,
+        {"driver": "xarm", "model": "xArm6", "port": XARM_PORT},
+        serve_xarm,
+        LINE | {"emergency stop": make_xarm_emergency, "mode changed": change_mode, "wrong version": make_xarm_old} | ANOTHER,
+    ),
 }
 
 
-def move_with_fault(fault: Callable[[UrServer, Random], None], seed: int) -> str:
+def move_with_fault(robot: Robot, fault: Callable[[Any, Random], None], seed: int) -> str:
     """Three seconds of motion under a fault; what came of it."""
     random = Random(seed)
     host = f"127.78.{seed % 200}.{2 + seed // 200}"
-    with UrServer(UrArm(CELL, CARRIED.parameters, seed=seed), host) as server:
+    with robot.serve(seed, host, None) as server:
         home = server.arm.q.copy()
-        session = UniversalRobotsSession(cell_at(host))
+        session = DRIVERS[robot.said["driver"]](robot.cell_at(host))
         seen = []
         fault(server, random)
         try:
             with session:
                 q = session.state().q_cmd
-                for k in range(1500):
+                for k in range(round(3.0 / session.period)):
                     seen.append(session.state())
-                    q = q + 0.002 * 0.1 * min(1.0, k / 100) * np.array([1, -1, 1, -1, 1, -1])
+                    q = q + session.period * 0.1 * min(1.0, 5.0 * k * session.period) * np.array([1, -1, 1, -1, 1, -1])
                     session.command(q)
             outcome = "went on"
         except HeftError as error:
             outcome = type(error).__name__
-        time.sleep(0.6)
+        time.sleep(1.2)  # an outage is over by then, and what waited in the line has come
         stands = server.arm.q.copy()
         time.sleep(0.3)
         still = np.abs(server.arm.q - stands).max() < 1e-4
@@ -148,17 +211,18 @@ def move_with_fault(fault: Callable[[UrServer, Random], None], seed: int) -> str
 
 def main() -> None:
     parser = argparse.ArgumentParser()
+    parser.add_argument("robots", nargs="*", default=list(ROBOTS), help=f"of {', '.join(ROBOTS)}")
     parser.add_argument("--minutes", type=float, default=10.0)
     parser.add_argument("--faults", type=int, default=20)
     parser.add_argument("--patience", type=float)
     given = parser.parse_args()
-    if given.faults:
-        for name, fault in FAULTS.items():
-            found = Counter(move_with_fault(fault, seed) for seed in range(given.faults))
-            print(f"{name}: " + "; ".join(f"{count} x {what}" for what, count in found.most_common()), flush=True)
-    if given.minutes:
-        print("the whole procedure, Universal Robots:", flush=True)
-        measure_procedure(given.minutes, given.patience)
+    for robot in (ROBOTS[name] for name in given.robots):
+        for name, fault in robot.faults.items() if given.faults else ():
+            found = Counter(move_with_fault(robot, fault, seed) for seed in range(given.faults))
+            print(f"{robot.title}, {name}: " + "; ".join(f"{count} x {what}" for what, count in found.most_common()), flush=True)
+        if given.minutes:
+            print(f"the whole procedure, {robot.title}:", flush=True)
+            measure_procedure(robot, given.minutes, given.patience)
 
 
 if __name__ == "__main__":

@@ -64,6 +64,17 @@ class ExportTarget(ABC):
     def text(self, payload: UncertainParameters) -> str:
         """The file's content; every parameter of `needs` is known."""
 
+    @classmethod
+    def require(cls, payload: UncertainParameters, rows: slice) -> None:
+        """Nothing where these rows of phi are determined.
+
+        Raises:
+            BadPayload: one is not.
+        """
+        for name, value, unit in list(zip(PHI_NAMES, payload.phi, PHI_UNITS, strict=True))[rows]:
+            if not np.isfinite(value):
+                raise BadPayload(name, "export-not-determined", unit=unit, target=cls.title)
+
     @property
     def holds_uncertainty(self) -> bool:
         """Whether the file says how exactly the payload is known."""
@@ -84,9 +95,7 @@ class ExportTarget(ABC):
         Raises:
             BadPayload: it needs a parameter that is not determined, or that is beyond what it takes.
         """
-        for name, value, unit in list(zip(PHI_NAMES, payload.phi, PHI_UNITS, strict=True))[self.needs]:
-            if not np.isfinite(value):
-                raise BadPayload(name, "export-not-determined", unit=unit, target=self.title)
+        self.require(payload, self.needs)
         text = self.text(payload)
         return text if uncertainty is None else self.add_uncertainty(text, uncertainty)
 

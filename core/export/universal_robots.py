@@ -7,9 +7,8 @@ import numpy as np
 from core.errors import BadPayload
 from core.export.target import INERTIA_NAMES, ExportTarget, write_remarks
 from core.export.uncertainty import ExportUncertainty
-from core.payload.inertia import PHI_NAMES, PHI_UNITS
 from core.payload.uncertain_parameters import UncertainParameters
-from core.sessions.ur_set_payload import SetPayload
+from core.sessions.set_payload import SetPayload, write_urscript
 from core.words.message import Message
 
 LARGEST_KG_M2 = 133.0
@@ -33,7 +32,7 @@ class UniversalRobots(ExportTarget):
         Raises:
             BadPayload: an entry of the inertia is one that the robot does not take.
         """
-        call = set_payload_of(payload).call()
+        call = write_urscript(set_payload_of(payload))
         return f"# zeroes the force/torque sensor again: nothing may touch the tool meanwhile\n{call}\n"
 
     def add_uncertainty(self, text: str, uncertainty: ExportUncertainty) -> str:
@@ -50,9 +49,7 @@ def set_payload_of(payload: UncertainParameters) -> SetPayload:
     Raises:
         BadPayload: mass or centre of mass is not determined, or an entry of the inertia is one that the robot does not take.
     """
-    for name, value, unit in zip(PHI_NAMES[:4], payload.phi[:4], PHI_UNITS[:4], strict=True):
-        if not np.isfinite(value):
-            raise BadPayload(name, "export-not-determined", unit=unit, target=UniversalRobots.title)
+    UniversalRobots.require(payload, slice(0, 4))
     inertia = payload.inertia_com
     if not np.isfinite(inertia).all():
         inertia = np.zeros(6)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from core.export.target import INERTIA_NAMES, MM, ExportTarget, Lack, digits, inertia_lacks
 from core.payload.uncertain_parameters import UncertainParameters
+from core.sessions.set_payload import SetPayload
 from core.words.message import Message
 
 
@@ -26,3 +27,16 @@ class XArm(ExportTarget):
     def lacks(self, payload: UncertainParameters) -> Iterator[Lack]:
         """The whole inertia."""
         yield from inertia_lacks(payload, INERTIA_NAMES)
+
+
+def set_payload_of(payload: UncertainParameters) -> SetPayload:
+    """What a controller is to be set to.
+
+    Args:
+        payload: in the flange's frame.
+
+    Raises:
+        BadPayload: mass or centre of mass is not determined.
+    """
+    XArm.require(payload, XArm.needs)
+    return SetPayload(float(payload.phi[0]), tuple(payload.com_m.tolist()))

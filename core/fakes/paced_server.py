@@ -36,7 +36,7 @@ class PacedServer(ABC):
         """From a package sent to the first command that answers it."""
         self.late_periods = 0
         """Periods that began more than half a period late by the wall clock: this computer's doing, not the client's."""
-        self._period, self._tick = period, 0
+        self.period, self._tick = period, 0
         self._random = Random(0)
         self._selector = selectors.DefaultSelector()
         self._delayed: list[tuple[float, socket.socket, bytes]] = []
@@ -89,7 +89,7 @@ class PacedServer(ABC):
     def _serve(self) -> None:
         due = time.monotonic()
         while not self._ended.is_set():
-            due = self._wait(due + self._period)
+            due = self._wait(due + self.period)
             while self._orders:
                 self._orders.pop(0)()
             self._step()
@@ -123,8 +123,8 @@ class PacedServer(ABC):
             until = min([due if not waits_for_answer else now + 0.01, *(at for at, _, _ in self._delayed)])
             self._look(max(0.0, until - now))
         now = time.monotonic()
-        self.late_periods += now > due + 0.5 * self._period
-        return due if now < due + 0.5 * self._period and self.patience_s is None else now
+        self.late_periods += now > due + 0.5 * self.period
+        return due if now < due + 0.5 * self.period and self.patience_s is None else now
 
     def _look(self, timeout_s: float) -> None:
         for key, _ in self._selector.select(timeout_s):

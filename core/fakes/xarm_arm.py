@@ -130,6 +130,11 @@ class XarmArm:
             self._wanted[self.order] = q
             self._braking = []
 
+    def set_load(self, mass: float, com: Array) -> None:
+        """A command like those of motion: discarded while the controller is stopped or paused."""
+        if self._state == READY:
+            self.payload, self.payload_com = mass, com
+
     def step(self) -> None:
         """One period."""
         before = self.target

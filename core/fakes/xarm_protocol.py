@@ -133,7 +133,7 @@ class XarmPeer:
 
     def _set_load(self, body: bytes) -> bytes:
         mass, *com = read_floats(body, 4)
-        self._arm.payload, self._arm.payload_com = float(mass), np.array(com) / MM
+        self._arm.set_load(float(mass), np.array(com) / MM)
         return struct.pack(">H", 0)
 
     def _tell_joints(self, body: bytes) -> bytes:

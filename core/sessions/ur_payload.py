@@ -16,12 +16,11 @@ from core.cell.session import UniversalRobot
 from core.errors import NotConnected, PayloadNotTaken
 from core.robot.model import RobotModel
 from core.sessions.rtde import Rtde, RtdeError, Value
+from core.sessions.set_payload import SetPayload, write_urscript
 from core.sessions.ur_connection import check_arm, reach
 from core.sessions.ur_controller import STOPPED, Secondary
 from core.sessions.ur_readiness import check_ready
 from core.sessions.ur_servo import read_number, read_vector
-from core.sessions.ur_set_payload import SET_NAMES, SET_UNITS, SetPayload
-from core.words.message import Message
 
 RATE_HZ = 125.0
 LINK_S = 1.0
@@ -69,7 +68,7 @@ def write_payload(cell: Cell, wanted: SetPayload, *, before: SetPayload) -> SetP
         except OSError as error:
             raise NotConnected("session-not-reached", host=host, reason=str(error)[:120]) from error
         try:
-            secondary.run(f"sec heft_payload():\n  {wanted.call()}\nend\n")
+            secondary.run(f"sec heft_payload():\n  {write_urscript(wanted)}\nend\n")
             return _read_back(rtde, wanted, host)
         except OSError as error:
             raise PayloadNotTaken("session-payload-unknown", host=host, reason=str(error)[:120]) from error
@@ -146,12 +145,7 @@ def _read_back(rtde: Rtde, wanted: SetPayload, host: str) -> SetPayload:
             found = _payload_of(_receive(rtde)[-1])
         except RtdeError as error:
             raise ConnectionError(str(error)) from error
-        differing = wanted.differing(found)
-        if not differing:
+        if not wanted.differing(found):
             return found
         if time.monotonic() > until:
-            raise PayloadNotTaken("session-payload-differs", host=host, differences=[_difference(k, wanted, found) for k in differing])
-
-
-def _difference(k: int, sent: SetPayload, read: SetPayload) -> Message:
-    return Message.of("session-payload-difference", name=SET_NAMES[k], sent=sent.numbers[k], read=read.numbers[k], unit=SET_UNITS[k])
+            raise PayloadNotTaken("session-payload-differs", host=host, differences=wanted.describe_differences(found))

@@ -25,7 +25,7 @@ from core.sessions.sensor_sign import SensorSign
 from core.sessions.session import RobotSession, RobotState
 from core.sessions.xarm_connection import Reached, check_arm, reach
 from core.sessions.xarm_line import GET_ERROR, SERVO, SET_MODE, SET_STATE, Answer, pack_floats
-from core.sessions.xarm_readiness import POSITION, STOPPED, check_obeys, check_ready, explain_error, obeys
+from core.sessions.xarm_readiness import GO, POSITION, STOPPED, check_obeys, check_ready, explain_error, obeys
 from core.sessions.xarm_readiness import SERVO as SERVO_MODE
 from core.sessions.xarm_reports import SLOTS, FastReport, read_fast, read_pose, remove_tool
 from core.sessions.xarm_settings import REPORT_S, XarmSettings
@@ -232,7 +232,7 @@ class XarmSession(RobotSession):
         self._mode, self._moving = WAIT, False
         control = self._open().control
         try:
-            for register, value in ((SET_MODE, bytes([SERVO_MODE, 0])), (SET_STATE, b"\x00")):
+            for register, value in ((SET_MODE, bytes([SERVO_MODE, 0])), (SET_STATE, bytes([GO]))):
                 if control.ask(register, value).failed:
                     raise self._explain_failure()
         except OSError as error:
@@ -315,6 +315,7 @@ class XarmSession(RobotSession):
 
     def _lose(self, error: Exception | None) -> NoReturn:
         self._mode, self._moving = BRAKE, False
+        self._open().control.abort()
         raise RobotStateLate("xarm-link-lost", value=LINK_S, limit=LINK_S, host=self._link.host) from error
 
     def _state_of(self, sample: FastReport) -> RobotState:

@@ -11,6 +11,7 @@ import select
 import socket
 import struct
 import time
+from contextlib import suppress
 from typing import NamedTuple
 
 HEADER = struct.Struct(">3HB")
@@ -110,6 +111,12 @@ class ControlLine:
     def silent_s(self) -> float:
         """For how long the oldest request has had no answer, s."""
         return time.monotonic() - min(self._sent_at.values()) if self._sent_at else 0.0
+
+    def abort(self) -> None:
+        """Lets go of a line that is lost: what has not got through is thrown away, so that no command arrives when the line is back."""
+        with suppress(OSError):  # it was let go before
+            self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+        self._socket.close()
 
     def close(self) -> None:
         """Lets go; the controller notices."""

@@ -7,7 +7,9 @@ from core.sessions.xarm_reports import FastReport, SlowReport
 from core.words.message import Message
 
 MOVING, READY, PAUSED, STOPPED, RESET = 1, 2, 3, 4, 5
-"""Motion states that a controller reports; 0 is what it is told to go on."""
+"""Motion states that a controller reports."""
+GO = 0
+"""What it is told to go on; it is told `STOPPED` to stop."""
 POSITION, SERVO = 0, 1
 """Modes."""
 ERRORS = {
@@ -25,7 +27,7 @@ ERRORS = {
 
 def obeys(sample: FastReport) -> bool:
     """Whether servo motion is on."""
-    return sample.mode == SERVO and sample.state in {0, MOVING, READY}
+    return sample.mode == SERVO and sample.state in {GO, MOVING, READY}
 
 
 def explain_error(error: int) -> ControllerStopped:

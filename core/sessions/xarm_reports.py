@@ -31,6 +31,7 @@ class FastReport(NamedTuple):
     Args:
         t: s, of the controller's clock.
         state, mode: of motion.
+        queued: motions that wait.
         tool: x y z (m) and three angles of the tool centre point in the base frame.
         raw: (6,), of the force/torque sensor, N and N m.
     """
@@ -38,6 +39,7 @@ class FastReport(NamedTuple):
     t: float
     state: int
     mode: int
+    queued: int
     target_q: Array
     target_dq: Array
     q: Array
@@ -70,11 +72,11 @@ class SlowReport(NamedTuple):
 
 def read_fast(report: bytes, n: int) -> FastReport:
     """A report of port 30000 of an arm with n joints."""
-    (stamp,) = struct.unpack_from(">Q", report, 4)
+    stamp, _, queued = struct.unpack_from(">QBH", report, 4)
     target_q, target_dq, q, dq = (_floats(report, at, SLOTS)[:n] for at in (32, 60, 116, 144))
     tool = _floats(report, 472, 6)
     tool[:3] *= METRE
-    return FastReport(1e-6 * stamp, report[12] & 0x0F, report[12] >> 4, target_q, target_dq, q, dq, tool, _floats(report, 688, 6))
+    return FastReport(1e-6 * stamp, report[12] & 0x0F, report[12] >> 4, queued, target_q, target_dq, q, dq, tool, _floats(report, 688, 6))
 
 
 def read_slow(report: bytes, n: int) -> SlowReport:

@@ -12,10 +12,13 @@ from core.cli.main import app
 from core.errors import BadInput, BadPayload, NotConnected, Refused
 from core.fakes.ur_arm import UrArm
 from core.fakes.ur_server import UrServer
+from core.fakes.xarm_arm import XarmArm
+from core.fakes.xarm_server import XarmServer
 from tests.core.export.cloud import cloud
 from tests.core.export.known_result import answer
 
 HOST = "127.27.0.6"
+XARM_PORT = 5020
 SIMULATED = load_cell(find_cell("ur5e_line"))
 
 
@@ -146,7 +149,7 @@ def test_a_cell_without_a_mount_is_refused(cell, tmp_path):
     ("options", "says"),
     [
         (["--cell", "ur5e_line", "--accepted-by", "me"], "neither"),
-        (["--target", "xarm", "--accepted-by", "me"], "only controllers of Universal Robots"),
+        (["--target", "franka", "--accepted-by", "me"], "one of ur, xarm"),
         (["--accepted-by", "  "], "no name"),
         (["--write", "ur5e_line", "--accepted-by", "me"], "driver 'simulated'"),
     ],
@@ -163,3 +166,26 @@ def test_a_name_without_anything_to_write_is_refused(tmp_path):
     said = CliRunner().invoke(app, ["export", str(file), "--target", "ur", "--accepted-by", "me"])
     assert isinstance(said.exception, BadInput)
     assert said.stdout == ""
+
+
+@pytest.fixture
+def xarm_cell(cell: Path) -> Path:
+    toml = cell / "cell.toml"
+    toml.write_text(toml.read_text().replace('driver = "ur_rtde"', f'driver = "xarm"\nport = {XARM_PORT}').replace('UR5e"\n', 'xArm6"\n'))
+    return cell
+
+
+def test_a_controller_of_ufactory_takes_mass_and_centre_and_the_lost_inertia_is_said(xarm_cell, tmp_path):
+    with XarmServer(XarmArm(SIMULATED, seed=1), HOST, port=XARM_PORT) as server:
+        said = write(tmp_path, xarm_cell, "--accepted-by", "M. Curie", "--target", "xarm")
+        assert said.exit_code == 0, said.output
+        np.testing.assert_allclose([server.arm.payload, *server.arm.payload_com], expected()[:4], rtol=1e-6, atol=1e-8)
+    assert "accepted by M. Curie" in said.stdout and "Ixx" not in said.stdout
+    assert "has no place for Ixx" in said.stderr
+    assert "until it is switched off" in said.stderr
+
+
+def test_the_target_has_to_be_that_of_the_cells_robot(cell, tmp_path):
+    said = write(tmp_path, cell, "--accepted-by", "me", "--target", "xarm")
+    assert isinstance(said.exception, BadInput)
+    assert "expected xarm: a cell whose robot this target is for" in str(said.exception)

@@ -8,8 +8,8 @@ import pytest
 from core.errors import ControllerStopped, NotConnected, PayloadNotTaken, WrongRobot
 from core.fakes.ur_arm import EMERGENCY, PROTECTIVE, UrArm
 from core.fakes.ur_server import UrServer
+from core.sessions.set_payload import SetPayload
 from core.sessions.ur_payload import read_payload, write_payload
-from core.sessions.ur_set_payload import SetPayload
 from tests.core.sessions.conformance import Conformance, move
 from tests.core.sessions.test_ur import CELL, UrBench, cell_at
 
