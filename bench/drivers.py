@@ -43,6 +43,7 @@ class Robot(NamedTuple):
     Args:
         host: of the long runs; those of the faults are beside it.
         serve: with the seed of the arm, at an address.
+        before, during: faults that are there from the start, and those that come while it moves.
     """
 
     title: str
@@ -50,7 +51,8 @@ class Robot(NamedTuple):
     link: type[RealRobot]
     said: dict[str, Any]
     serve: Callable[[int, str, float | None], Server]
-    faults: dict[str, Callable[[Any, Random], None]]
+    before: dict[str, Callable[[Any, Random], None]]
+    during: dict[str, Callable[[Any, Random], None]]
 
     def cell_at(self, host: str) -> Cell:
         return CELL.model_copy(update={"session": self.link.model_validate({**self.said, "host": host})})
@@ -157,8 +159,8 @@ def swap_joints(server: Server, random: Random) -> None:
 LINE: dict[str, Callable[[Any, Random], None]] = {
     "5 % lost packets": make_lossy,
     "20 ms jitter": make_jittery,
-    "1 s outage": make_outage,
 }
+OUTAGE: dict[str, Callable[[Any, Random], None]] = {"1 s outage": make_outage}
 ANOTHER: dict[str, Callable[[Any, Random], None]] = {"wrong calibration": make_uncalibrated, "wrong joint order": swap_joints}
 ROBOTS = {
     "ur": Robot(
@@ -167,7 +169,8 @@ ROBOTS = {
         UniversalRobot,
         {"driver": "ur_rtde", "model": "UR5e"},
         serve_ur,
-        LINE | {"emergency stop": make_ur_emergency, "wrong version": make_ur_old} | ANOTHER,
+        LINE | {"wrong version": make_ur_old} | ANOTHER,
+        OUTAGE | {"emergency stop": make_ur_emergency},
     ),
     "xarm": Robot(
         "UFACTORY",
@@ -175,12 +178,13 @@ ROBOTS = {
         XarmRobot,
         {"driver": "xarm", "model": "xArm6", "port": XARM_PORT},
         serve_xarm,
-        LINE | {"emergency stop": make_xarm_emergency, "mode changed": change_mode, "wrong version": make_xarm_old} | ANOTHER,
+        LINE | {"wrong version": make_xarm_old} | ANOTHER,
+        OUTAGE | {"emergency stop": make_xarm_emergency, "mode changed": change_mode},
     ),
 }
 
 
-def move_with_fault(robot: Robot, fault: Callable[[Any, Random], None], seed: int) -> str:
+def move_with_fault(robot: Robot, name: str, seed: int) -> str:
     """Three seconds of motion under a fault; what came of it."""
     random = Random(seed)
     host = f"127.78.{seed % 200}.{2 + seed // 200}"
@@ -188,9 +192,12 @@ def move_with_fault(robot: Robot, fault: Callable[[Any, Random], None], seed: in
         home = server.arm.q.copy()
         session = DRIVERS[robot.said["driver"]](robot.cell_at(host))
         seen = []
-        fault(server, random)
+        if name in robot.before:
+            robot.before[name](server, random)
         try:
             with session:
+                if name in robot.during:
+                    robot.during[name](server, random)
                 q = session.state().q_cmd
                 for k in range(round(3.0 / session.period)):
                     seen.append(session.state())
@@ -217,8 +224,8 @@ def main() -> None:
     parser.add_argument("--patience", type=float)
     given = parser.parse_args()
     for robot in (ROBOTS[name] for name in given.robots):
-        for name, fault in robot.faults.items() if given.faults else ():
-            found = Counter(move_with_fault(robot, fault, seed) for seed in range(given.faults))
+        for name in (robot.before | robot.during) if given.faults else ():
+            found = Counter(move_with_fault(robot, name, seed) for seed in range(given.faults))
             print(f"{robot.title}, {name}: " + "; ".join(f"{count} x {what}" for what, count in found.most_common()), flush=True)
         if given.minutes:
             print(f"the whole procedure, {robot.title}:", flush=True)
