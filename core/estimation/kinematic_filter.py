@@ -1,16 +1,13 @@
-"""The Kalman filter that the paper's estimate takes its kinematics from: sample by sample on line, compiled for a whole recording.
+"""The Kalman filter that the paper's estimate takes its kinematics from, over a whole recording; on line: `core.estimation.online_filter`.
 
-The only user of filterpy. The filter of the paper's reference [19] has a unit quaternion in its state and an extended update. Here
-orientation is an error state: the filter's vector holds a small rotation that is moved into the rotation matrix after every step, so that
-a linear filter with constant matrices is enough. To first order in one sample's rotation both are the same.
+The filter of the paper's reference [19] has a unit quaternion in its state and an extended update. Here orientation is an error state: the
+filter's vector holds a small rotation that is moved into the rotation matrix after every step, so that a linear filter with constant
+matrices is enough. To first order in one sample's rotation both are the same.
 """
 
 from __future__ import annotations
 
-from functools import cached_property
-
 import numpy as np
-from filterpy.kalman import KalmanFilter
 from numba import njit
 from numpy.typing import NDArray
 from scipy.linalg import solve_discrete_are
@@ -61,90 +58,12 @@ def find_bandwidth(orientation_std: float, period: float) -> float:
     return float((ALPHA_VARIANCE / (2.0 * orientation_std**2 * period)) ** 0.2)
 
 
-class KinematicFilter:
-    """Orientation, angular velocity and acceleration, position, velocity and acceleration, from poses, sample by sample.
-
-    State of the linear filter, base frame: `[dtheta, omega, alpha, p, v, a]`, 18 values, with white jerk; `dtheta` is the small rotation
-    that has not yet been moved into the rotation matrix and is zero between calls.
-
-    Args:
-        period: s.
-        position_std, orientation_std: noise of one measured pose, m and rad; the jerk allowed for follows from it (`find_bandwidth`).
-    """
-
-    def __init__(self, period: float, *, position_std: float, orientation_std: float) -> None:
-        self.period = period
-        self._bandwidth = find_bandwidth(orientation_std, period)
-        self._std = orientation_std, position_std
-        kf = KalmanFilter(dim_x=18, dim_z=6)
-        kf.H = np.zeros((6, 18))
-        kf.H[:3, :3] = kf.H[3:, 9:12] = np.eye(3)
-        kf.F = np.kron(np.eye(2), np.kron(_chain(period), np.eye(3)))
-        kf.R = np.diag(np.repeat([orientation_std**2, position_std**2], 3))
-        jerk = np.array([orientation_std**2, position_std**2]) * self._bandwidth**6 * period
-        kf.Q = np.kron(np.diag(jerk), np.kron(_jerk_noise(period), np.eye(3)))
-        kf.P = np.diag(np.repeat([orientation_std**2, *START_VARIANCE, position_std**2, *START_VARIANCE], 3))
-        kf.x = np.zeros(18)
-        self._filter = kf
-        self._rotation = np.eye(3)
-        self._started = False
-
-    def update(self, rotation: Array, position: Array) -> None:
-        """Takes the pose of the next period: rotation (3, 3) and position (3,) of the sensor in the base frame."""
-        kf = self._filter
-        if not self._started:
-            self._started = True
-            self._rotation = rotation.copy()
-            kf.x[9:12] = position
-            return
-        kf.predict()
-        self._absorb()
-        innovation = np.empty(3)
-        logarithm(rotation @ self._rotation.T, innovation)
-        kf.update(np.concatenate((innovation, position)))
-        self._absorb()
-
-    def _absorb(self) -> None:
-        """Moves the small rotation into the rotation matrix."""
-        x = self._filter.x
-        turned = np.empty((3, 3))
-        exponential(np.ascontiguousarray(x[:3]), turned)
-        self._rotation = turned @ self._rotation
-        x[:3] = 0.0
-
-    @property
-    def rotation(self) -> Array:
-        """(3, 3), sensor axes in the base frame."""
-        return self._rotation
-
-    @property
-    def twist(self) -> Array:
-        """(6,), linear then angular velocity of the sensor, sensor axes."""
-        x, R = self._filter.x, self.rotation
-        return np.concatenate((x[12:15] @ R, x[3:6] @ R))
-
-    def motion(self, gravity: Array) -> Motion:
-        """One row: the filtered motion in the sensor frame, for gravity (3,) in the base frame."""
-        x, R = self._filter.x, self.rotation
-        return Motion((gravity @ R)[None], (x[15:18] @ R)[None], (x[3:6] @ R)[None], (x[6:9] @ R)[None])
-
-    @property
-    def alpha(self) -> Array:
-        """(3,), angular acceleration, sensor axes."""
-        return np.asarray(self._filter.x[6:9] @ self.rotation)
-
-    @cached_property
-    def steady_std(self) -> Array:
-        """(4,), of omega, alpha, v and a when the filter has settled."""
-        return steady_std(self.period, position_std=self._std[1], orientation_std=self._std[0])
-
-
 def steady_std(period: float, *, position_std: float, orientation_std: float) -> Array:
     """(4,), standard deviations of omega, alpha, v and a, rad and m, when a filter of this period and noise has settled."""
-    F, H = _chain(period), np.array([[1.0, 0.0, 0.0]])
+    F, H = integrate_over(period), np.array([[1.0, 0.0, 0.0]])
     # solved for unit noise, then scaled
     jerk = find_bandwidth(orientation_std, period) ** 6 * period
-    P = solve_discrete_are(F.T, H.T, jerk * _jerk_noise(period), np.eye(1))
+    P = solve_discrete_are(F.T, H.T, jerk * jerk_noise_over(period), np.eye(1))
     settled = P - P @ H.T @ H @ P / (P[0, 0] + 1.0)
     rate, acceleration = np.sqrt(np.diag(settled)[1:])
     return np.array([orientation_std * rate, orientation_std * acceleration, position_std * rate, position_std * acceleration])
@@ -208,9 +127,11 @@ def _filter(t: Array, rotation: Array, position: Array, noise: Array, jerk: Arra
         x[k, 0, 0] = 0.0
 
 
-def _chain(T: float) -> Array:
+def integrate_over(T: float) -> Array:
+    """(3, 3), what a value and its two derivatives are a time T, s, later."""
     return np.array([[1.0, T, T * T / 2.0], [0.0, 1.0, T], [0.0, 0.0, 1.0]])
 
 
-def _jerk_noise(T: float) -> Array:
+def jerk_noise_over(T: float) -> Array:
+    """(3, 3), covariance that white jerk of unit density gives them in a time T, s."""
     return np.array([[T**5 / 20, T**4 / 8, T**3 / 6], [T**4 / 8, T**3 / 3, T**2 / 2], [T**3 / 6, T**2 / 2, T]])

@@ -6,12 +6,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import convolve1d
 from scipy.optimize import nnls
-from scipy.signal import savgol_coeffs
 from scipy.spatial.transform import Rotation
 
 from core.array import Array
+from core.estimation.local_polynomial import derive_with_ends_held
 from core.estimation.lost_rows import FilledRows
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
@@ -237,5 +236,4 @@ def axial(matrix: Array) -> Array:
 
 
 def _derivative(x: Array, length: int, order: int, period: float) -> Array:
-    weights = savgol_coeffs(length, 3, deriv=order, delta=period)
-    return np.asarray(convolve1d(x, weights, axis=0, mode="nearest"))
+    return derive_with_ends_held(x, length, 3, order, period)

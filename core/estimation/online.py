@@ -6,8 +6,9 @@ import numpy as np
 
 from core.array import Array
 from core.estimation.estimate import PaperEstimate
-from core.estimation.kinematic_filter import SETTLING_S, KinematicFilter, pose_noise_std
+from core.estimation.kinematic_filter import SETTLING_S, pose_noise_std
 from core.estimation.offset import OpposedPoses
+from core.estimation.online_filter import KinematicFilter
 from core.estimation.regression import RecursiveRegression, Thresholds
 from core.estimation.still_poses import StillPoses
 from core.payload.inertia import Motion

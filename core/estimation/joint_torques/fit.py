@@ -16,8 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
 from scipy.optimize import minimize
-from scipy.stats import norm
-from scipy.stats import t as student_t
+from scipy.special import ndtri, stdtrit
 
 from core.array import Array
 from core.estimation.joint_torques.noise import TorqueNoise, whiten_torques
@@ -248,7 +247,7 @@ class TorqueSolver:
             pulls += [score[block == each].sum(axis=0) for each in np.unique(block)]
         change = np.array(pulls) @ covariance[:, PHI]
         count = len(change)
-        student = float(student_t.ppf(0.975, max(count - 10, 1)) / norm.ppf(0.975))
+        student = float(stdtrit(max(count - 10, 1), 0.975) / ndtri(0.975))
         return expected if count <= FEWEST_BLOCKS else _widen(expected, student**2 * count / (count - 10.0) * change.T @ change)
 
     def _finish(self, joints: list[JointRows], covariance: Array, converged: bool) -> TorqueFit:

@@ -11,12 +11,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import BSpline
-from scipy.signal import savgol_filter
 from scipy.sparse import csr_array
 
 from core.array import Array
 from core.estimation.joint_torques.torque_regressor import TorqueRegressor
 from core.estimation.kinematics import find_jitter, local_derivative
+from core.estimation.local_polynomial import derive
 from core.estimation.weak_form import second_difference
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
@@ -121,7 +121,7 @@ def _smooth_stamps(t: Array, q: Array) -> Array:
     spread = float(np.std(np.diff(t))) if len(t) > 1 else 0.0
     if not regular or (jitter_s == 0.0 and spread < 0.02 * period):
         return t
-    return np.asarray(savgol_filter(t, 101, 1))
+    return derive(t, 101, 1)
 
 
 def _coarsen(t: Array, q: Array, tau: Array) -> tuple[Array, Array, Array]:

@@ -7,8 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core.estimation.kinematic_filter import ALPHA_VARIANCE, SETTLING_S, KinematicFilter, filter_motion, find_pose_noise, pose_noise_std
+from core.estimation.kinematic_filter import ALPHA_VARIANCE, SETTLING_S, filter_motion, find_pose_noise, pose_noise_std
 from core.estimation.kinematics import Poses, poses_of
+from core.estimation.online_filter import KinematicFilter
 from tests.synthetic import GRAVITY, Imperfections, payload, record, run_of
 
 STD = 5e-6
