@@ -37,8 +37,8 @@ def derive_with_ends_held(x: Array, length: int, degree: int, order: int, period
 def derive(x: Array, length: int, degree: int, order: int = 0, period: float = 1.0) -> Array:
     """(N, ...), of at least `length` samples (N, ...), by the first and the last polynomial near the ends."""
     found, half = derive_with_ends_held(x, length, degree, order, period), length // 2
-    before = weights_of(length, degree, order, period, np.arange(-half, 0))
-    after = weights_of(length, degree, order, period, np.arange(1, half + 1))
+    before = weights_of(length, degree, order, period, np.arange(-half, 0, dtype=np.float64))
+    after = weights_of(length, degree, order, period, np.arange(1, half + 1, dtype=np.float64))
     found[:half] = np.tensordot(before, x[:length], axes=1)
     found[len(x) - half :] = np.tensordot(after, x[-length:], axes=1)
     return found
