@@ -31,7 +31,7 @@ from core.gap.diagnosis import examine
 from core.gap.fit_all import one_by_one
 from core.payload.inertia import InertialParameters
 from core.recording.recording import Recording
-from tests.synthetic import GRAVITY, Imperfections, Run, payload, record, run_of, wrench_of
+from tests.synthetic import GRAVITY, NOISE_STD, Imperfections, Run, payload, record, run_of, wrench_of
 
 PERIOD_S = 0.008
 ZEROS_DEG, TILT_DEG, GAIN, STAMP_S = 0.01, 0.03, 1e-3, 5e-5
@@ -242,13 +242,23 @@ def make(name: str, seed: int) -> Recording:
     clean = wrench_of(run, body)
     stage = Stage(run, body, rng, clean, run.q)
     CASES[name][1](stage)
-    tilted = np.radians(TILT_DEG) * rng.normal(size=2)
-    leaning = wrench_of(run, body, GRAVITY + np.cross([*tilted, 0.0], GRAVITY)) - clean
-    w = (stage.wrench + leaning) * (1.0 + GAIN * rng.normal(size=6))
-    shaken = run.t + STAMP_S * rng.normal(size=len(run.t))
+    return record_over_background(stage, clean, rng)
+
+
+def record_over_background(stage: Stage, clean: Array, rng: np.random.Generator, background: float = 1.0, noise: float = 1.0) -> Recording:
+    """What sensor and encoders make of a stage whose wrench was `clean` (N, 6) before anything was planted.
+
+    Args:
+        background, noise: their sizes, in multiples.
+    """
+    run, body = stage.run, stage.body
+    tilted = background * np.radians(TILT_DEG) * rng.normal(size=2)
+    leaning = wrench_of(run, body, GRAVITY + np.cross([*tilted, 0.0], GRAVITY)) - wrench_of(run, body)
+    w = (stage.wrench + leaning) * (1.0 + background * GAIN * rng.normal(size=6))
+    shaken = run.t + background * STAMP_S * rng.normal(size=len(run.t))
     w = np.column_stack([np.interp(shaken, run.t, channel) for channel in w.T])
-    zeros = np.radians(ZEROS_DEG) * rng.normal(size=run.q.shape[1])
-    blank = record(run, body, rng, Imperfections(resolution=None))
+    zeros = background * np.radians(ZEROS_DEG) * rng.normal(size=run.q.shape[1])
+    blank = record(run, body, rng, Imperfections(noise_std=noise * NOISE_STD, resolution=None))
     read = blank.q if blank.q is None else blank.q + (stage.read - run.q) + zeros
     return replace(blank, wrench=blank.wrench if blank.wrench is None else blank.wrench - clean + w, q=read)
 

@@ -41,6 +41,7 @@ class Parameter:
         absent: the value at which the effect is not there.
         lower, upper: bounds of the fit.
         scale: plausible size; the standard deviation of the prior around `absent`.
+        shown: whether it says anything to people; what merely follows the course of a run does not.
     """
 
     name: str
@@ -49,6 +50,7 @@ class Parameter:
     lower: float
     upper: float
     scale: float
+    shown: bool = True
 
 
 class Effect(ABC):
@@ -106,6 +108,9 @@ class Effect(ABC):
 
         Args:
             residual: (N, 6), measured minus predicted, in standard deviations of the noise.
+
+        Returns:
+            None at all where a richer shape sees no sign of itself in the residual, and is not to be fitted.
         """
         del residual
         return [np.array([p.absent + 0.3 * p.scale for p in self.parameters(scene)])]

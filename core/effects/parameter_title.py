@@ -9,12 +9,15 @@ from functools import reduce
 from core.words.message import Message
 
 UNIT = re.compile(r"(_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share))?_per_\w+$|_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share)$")
-NAME = re.compile(r"(?:([ft][xyz]|joint_\d+|mode_\d+|jump_\d+|m|mc_[xyz]|i[xyz]{2})(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$")
+NAME = re.compile(
+    r"(?:([ft][xyz]|joint_\d+|mode_\d+|jump_\d+|knot_\d+|m|mc_[xyz]|i[xyz]{2})(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$"
+)
 """Of what it is, what it is, and along which axis or from which channel."""
 
 NUMBERED = {
     "joint": Message.of("effect-parameter-joint"),
     "jump": Message.of("effect-parameter-jump"),
+    "knot": Message.of("effect-parameter-knot"),
     "mode": Message.of("effect-parameter-mode"),
 }
 PIECES = {
@@ -46,6 +49,7 @@ PIECES = {
     "half_width": Message.of("effect-parameter-half-width"),
     "hanging": Message.of("effect-parameter-hanging"),
     "held": Message.of("effect-parameter-held"),
+    "holding_load": Message.of("effect-parameter-holding-load"),
     "lag": Message.of("effect-parameter-lag"),
     "lost": Message.of("effect-parameter-lost"),
     "lower_limit": Message.of("effect-parameter-lower-limit"),

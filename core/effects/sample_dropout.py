@@ -15,6 +15,8 @@ MATERIAL = 0.01
 """Share of the samples that are held or lost."""
 LEAST = 0.005
 """Share below which nothing is said: an arm that starts and stops makes channels repeat together as well."""
+SAID = 5e-4
+"""Share from which it is said: with one digit after the point, smaller ones are 0 %."""
 SIGNIFICANT = 5.0
 """Standard deviations."""
 USUAL = 1e-4
@@ -55,13 +57,18 @@ class SampleDropout(Symptom):
         if sigma < SIGNIFICANT or max(held, lost) < LEAST:
             return None
         period = float(np.median(np.diff(recording.t)))
-        seen = Message.of("symptom-held-or-lost", held_share=held, lost_share=lost, longest_s=longest * period)
+        seen = Message.of("symptom-held-or-lost", **_say_shares(held, lost), longest_s=longest * period)
         times = (held + lost) / MATERIAL
         return Finding(np.array([held, lost]), std, sigma, times > 1.0, times, seen)
 
     def advice(self, finding: Finding) -> Message:
         """Advises matching the recorder's rate to the sensor's or relieving its bus, with both shares in %."""
-        return Message.of("advice-sample-dropout", held_share=finding.theta[0], lost_share=finding.theta[1])
+        return Message.of("advice-sample-dropout", **_say_shares(*finding.theta))
+
+
+def _say_shares(held: float, lost: float) -> dict[str, float]:
+    """Both as they are said: a share that would be rounded to nothing is none."""
+    return {name: float(share) if share >= SAID else 0.0 for name, share in (("held_share", held), ("lost_share", lost))}
 
 
 def find_held_share(wrench: Array) -> tuple[float, int, int]:

@@ -124,6 +124,7 @@ def describe_values(fit: EffectFit) -> dict[str, Value]:
     return {
         p.name: Value(title=find_title(p.name), value=float(v), std=float(s), unit=p.unit, at_bound=bool(v <= p.lower or v >= p.upper))
         for p, v, s in zip(fit.parameters, fit.theta, fit.theta_std, strict=True)
+        if p.shown
     }
 
 
@@ -153,7 +154,7 @@ def explain_both(evidence: Evidence, fit: EffectFit, probability: float) -> Pair
     windows, (a, b) = evidence.windows, fit.effects
     against = why_not_addable(evidence, fit)
     values = list(describe_values(fit).items())
-    count = len(a.parameters(windows.basis.scene))
+    count = sum(p.shown for p in a.parameters(windows.basis.scene))
     return Pair(
         ids=(a.id, b.id),
         probability=probability,

@@ -93,7 +93,7 @@ def probabilities(nominal: EffectFit, fits: list[EffectFit]) -> tuple[float, flo
     best = _best(nominal, fits)
     weights = _weigh(nominal, fits, np.ones(len(fits), dtype=bool))
     if len(best.effects) > 1:
-        doubt = _rise(leftover(nominal, best), UNEXPLAINED_HALF ** len(best.effects))
+        doubt = rise(leftover(nominal, best), UNEXPLAINED_HALF ** len(best.effects))
         weights = (1.0 - doubt) * weights + doubt * _weigh(nominal, fits, single)
     none, unknown, *shares = weights.tolist()
     return none, unknown, shares
@@ -114,15 +114,15 @@ def _weigh(nominal: EffectFit, fits: list[EffectFit], trusted: NDArray[np.bool_]
 
 def find_lapse(left: float) -> float:
     """Share of answers that are wrong although the evidence calls them certain, where a share `left` of the excess is left over."""
-    return LAPSE + (BENT_LAPSE - LAPSE) * _rise(left, BENT_HALF)
+    return LAPSE + (BENT_LAPSE - LAPSE) * rise(left, BENT_HALF)
 
 
 def find_unknown(left: float) -> float:
     """Probability of `unknown` where there is an effect and the best explanation leaves a share `left` of the excess over."""
-    return UNKNOWN_MOST * _rise(left, UNEXPLAINED_HALF)
+    return UNKNOWN_MOST * rise(left, UNEXPLAINED_HALF)
 
 
-def _rise(share: float, half: float) -> float:
+def rise(share: float, half: float) -> float:
     """From 0 to 1 with the logarithm of a share of the excess, 1/2 at `half`."""
     return float(expit(np.log(max(share, 1e-4) / half) / WIDTH))
 

@@ -10,10 +10,12 @@ from scipy.sparse import csr_array, eye_array
 from core.array import Array
 from core.errors import HeftError
 from core.estimation.kinematics import Poses, axial, poses_of, smooth_motion
-from core.estimation.noise import WrenchNoise, sensor_noise, unknown_noise
+from core.estimation.noise import WrenchNoise, unknown_noise
 from core.estimation.scene import scene_of, scene_of_poses
 from core.estimation.segments import Segment, cut_at_gaps, hold_label, motionless, segments_of_motion, segments_of_phase, stretches
 from core.estimation.weak_form import RawFeatures, regressor_of
+from core.gap.calm_noise import find_fresh_noise
+from core.gap.fresh import find_fresh
 from core.gap.windows import ZERO_STD_RAD, Basis, Rows, window_matrix, window_rows
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
@@ -108,21 +110,25 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
     motion, speed = smooth_motion(poses, window_s=SMOOTHING_S)
     segments = cut_at_gaps(segments_of(recording, motion, speed), recording.t)
     still = motionless(recording.t, segments)
-    noise = sensor_noise(recording.t, wrench, still, segments, nominal_std=recording.sensor.noise_std) or unknown_noise()
+    fresh = find_fresh(wrench)
+    rows = np.arange(len(wrench)) if fresh is None else fresh.rows
+    noise = find_fresh_noise(recording.t, wrench, still, segments, rows, nominal_std=recording.sensor.noise_std) or unknown_noise()
     raw = RawFeatures(poses)
     grid = max(GRID_S, poses.period)
     narrow = max(NARROW_S, 4.0 * poses.period)
     ends = [poses.t[part][[0, -1]] for part in stretches(poses.t)]
     t = np.concatenate([np.arange(first + 2.0 * narrow, last - 2.0 * narrow, grid) for first, last in ends])
     spread = window_matrix(t, narrow, poses.t)
+    if fresh is not None:  # both sides go through the rows that were read, and so does the noise
+        spread = csr_array(spread @ fresh.between)
     g, a, B = (np.asarray(spread @ x.reshape(len(poses.t), -1)).reshape(len(t), *x.shape[1:]) for x in (poses.g, raw.a, raw.B))
     omega = np.column_stack([np.interp(t, poses.t, channel) for channel in motion.omega.T])
     scene = replace(scene_of(recording, poses, Motion(g, a, omega, axial(B)), segments, t), window=narrow)
     known = recording.reference_of_whole
     reference = None if known is None else known.phi
-    V, rows = regressor_of(a - g, B), window_rows(poses, t)
+    V, equations = regressor_of(a - g, B), window_rows(poses, t, 1.0 if fresh is None else fresh.every)
     measured, zero_std = np.asarray(spread @ wrench), find_zero_std(recording)
-    return Basis(poses, noise, segments, scene, measured, V, reference, zero_std, spread, raw.difference, rows)
+    return Basis(poses, noise, segments, scene, measured, V, reference, zero_std, spread, raw.difference, equations)
 
 
 def find_zero_std(recording: Recording) -> float:

@@ -58,8 +58,8 @@ class EffectFit:
 
     @property
     def free(self) -> int:
-        """How many parameters were fitted."""
-        return len(self.theta) - self.kept_absent
+        """How many parameters were fitted; those that merely follow the course of a run, each held by its prior, do not count."""
+        return len(self.theta) - self.kept_absent - sum(not p.shown for p in self.parameters)
 
     @property
     def name(self) -> str:

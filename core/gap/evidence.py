@@ -97,7 +97,8 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     residual = windows.on_grid(nominal.residual)
     known = {term.effect.id: [term.theta] for term in windows.held}
     tasks = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in shown]
-    tasks += [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider if effect.id not in known]
+    richer = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider if effect.id not in known]
+    tasks += [task for task in richer if task.thetas]
     smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
     singles = choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
     if leftover(nominal, min(singles, key=_total, default=nominal)) > ONE_IS_CLEAR:

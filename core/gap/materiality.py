@@ -54,7 +54,7 @@ def payload_shift(nominal: EffectFit, best: EffectFit) -> Message:
     if not best.effects:
         return Message.of("gap-payload-as-it-is")
     shift, size = nominal.phi - best.phi, sizes(best.phi)
-    known = find_determined(best.phi, best.phi_std)
+    known = find_determined(best.phi, best.phi_std) & find_determined(nominal.phi, nominal.phi_std)
     share = np.abs(shift) / np.where(known, size, np.inf)
     numbers = {
         "mass_kg": shift[0],

@@ -63,12 +63,14 @@ class Rows:
         step: between two of them, s.
         average: (K, N), mean over the scene's grid for each.
         part: (K,), number of the stretch between two pauses that it belongs to.
+        every: samples from one fresh reading to the next.
     """
 
     centres: Array
     step: float
     average: csr_array
     part: NDArray[np.intp]
+    every: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -235,8 +237,8 @@ class Windows:
 
     @cached_property
     def samples_per_row(self) -> float:
-        """Samples of the recording for each window."""
-        return self.step / self.basis.poses.period
+        """Fresh readings for each window."""
+        return self.step / (self.basis.poses.period * self.basis.rows.every)
 
 
 def _find_zero_columns(scene: Scene) -> Array:
@@ -258,12 +260,12 @@ def _find_turning_columns(scene: Scene, phi: Array) -> Array:
     return np.stack([wrench(Motion(still, a, still, still), phi) for a in by_axis], axis=2)
 
 
-def window_rows(poses: Poses, t: Array) -> Rows:
-    """Windows over the grid t (N,) of a motion."""
-    step = max(STEP_S, 8.0 * poses.period)
+def window_rows(poses: Poses, t: Array, every: float = 1.0) -> Rows:
+    """Windows over the grid t (N,) of a motion of which `every` so many samples one reading is fresh."""
+    step = max(STEP_S, 8.0 * poses.period, 2.0 * every * poses.period)
     centres = window_centres(t, step)
     part = np.cumsum(np.diff(centres, prepend=centres[0]) > PAUSE_S, dtype=np.intp)
-    return Rows(centres, step, window_matrix(centres, step, t), part)
+    return Rows(centres, step, window_matrix(centres, step, t), part, every)
 
 
 def window_centres(t: Array, step: float) -> Array:

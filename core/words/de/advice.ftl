@@ -13,6 +13,7 @@ advice-joint-offset-uneven = Zentrieren oder ersetzen Sie den Geber von Gelenk {
 advice-kinematic-lag = Zeichnen Sie ungefilterte Gelenkstellungen auf, oder verschieben Sie die Zeitstempel der Gelenke um { MILLI($lag_s, digits: 1) } ms nach vorn.
 advice-payload-loose = Befestigen Sie das lose Teil der Last: etwa { PERCENT($mass_share) } % ihrer Masse geben unter ihrem Gewicht um { MILLI($sag_m) } mm nach und schwingen mit { FIXED($frequency_hz, digits: 1) } Hz.
 advice-payload-loose-hanging = Befestigen Sie das lose Teil der Last: etwa { PERCENT($mass_share) } % ihrer Masse hängen { MILLI($sag_m) } mm unter der Aufhängung und schwingen mit { FIXED($frequency_hz, digits: 1) } Hz.
+advice-payload-loose-stops = Befestigen Sie das lose Teil der Last: es rutscht von Anschlag zu Anschlag und ändert das statische Moment um { MILLI($first_moment_kg_m, digits: 1) } kg mm nach jeder Seite.
 advice-payload-mass-gained = Prüfen Sie die Last: bei { FIXED($at_s, digits: 1) } s gewann sie { MILLI($mass_kg) } g bei ({ MILLI($x_m) }; { MILLI($y_m) }; { MILLI($z_m) }) mm vom Sensor; identifizieren Sie sie danach erneut.
 advice-payload-mass-lost = Prüfen Sie die Last: bei { FIXED($at_s, digits: 1) } s verlor sie { MILLI($mass_kg) } g bei ({ MILLI($x_m) }; { MILLI($y_m) }; { MILLI($z_m) }) mm vom Sensor; identifizieren Sie sie danach erneut.
 advice-payload-mismatch = Prüfen Sie, ob die richtige Last montiert ist, und ersetzen Sie die Referenz durch die gefundenen Werte.
@@ -20,7 +21,13 @@ advice-payload-mismatch-heavier = Prüfen Sie, ob die richtige Last montiert ist
 advice-payload-mismatch-lighter = Prüfen Sie, ob die richtige Last montiert ist, und ersetzen Sie die Referenz durch die gefundenen Werte (sie ist { MILLI($mass_kg) } g leichter).
 advice-payload-shift = Spannen Sie die Last fester: bei { FIXED($at_s, digits: 1) } s verrutschte sie um { MILLI($first_moment_kg_m, digits: 1) } kg mm; identifizieren Sie sie danach erneut.
 advice-payload-shift-of-whole = Spannen Sie die Last fester: bei { FIXED($at_s, digits: 1) } s verrutschte sie um { MILLI($first_moment_kg_m, digits: 1) } kg mm (die ganze Last um { MILLI($distance_m, digits: 1) } mm); identifizieren Sie sie danach erneut.
-advice-sample-dropout = Gleichen Sie die Rate der Aufzeichnung der des Sensors an, oder entlasten Sie seinen Bus: { PERCENT($held_share, digits: 1) } % der Messwerte wiederholen sich, und { PERCENT($lost_share, digits: 1) } % gehen verloren.
+advice-sample-dropout = Gleichen Sie die Rate der Aufzeichnung der des Sensors an, oder entlasten Sie seinen Bus: { $held_share ->
+    [0] { PERCENT($lost_share, digits: 1) } % der Messwerte gehen verloren.
+   *[other] { $lost_share ->
+        [0] { PERCENT($held_share, digits: 1) } % der Messwerte wiederholen sich.
+       *[other] { PERCENT($held_share, digits: 1) } % der Messwerte wiederholen sich, und { PERCENT($lost_share, digits: 1) } % gehen verloren.
+    }
+}
 advice-sensor-creep = Warten Sie nach einer Laständerung etwa { FIXED($wait_s, digits: 0) } s, bevor Sie nullen oder messen: { $channel } kriecht in { FIXED($within_s, digits: 0) } s um { PERCENT($creep_share, digits: 2) } % der Änderung.
 advice-sensor-crosstalk = Laden Sie die Kalibriermatrix des Sensors neu, oder lassen Sie ihn neu kalibrieren: { $load } von { $of_channel } erscheint als { $shown } in { $in_channel }.
 advice-sensor-drift = Lassen Sie den Sensor 20 Minuten warm werden, und nullen Sie ihn kurz vor dem Lauf: sein Nullpunkt wanderte in { FIXED($within_s, digits: 0) } s um { $drift }.

@@ -1,6 +1,12 @@
 # What is read off a recording directly, beside the verdict.
 symptom-noisier = In den Halten rauscht { $channel } { FIXED($times, digits: 2) }-mal so stark wie angegeben; Korrelation zwischen den Werten: { FIXED($correlation, digits: 2) }.
-symptom-held-or-lost = { PERCENT($held_share, digits: 1) } % der Messwerte wiederholen den vorigen, bis zu { MILLI($longest_s) } ms lang; { PERCENT($lost_share, digits: 1) } % fehlen.
+symptom-held-or-lost = { $held_share ->
+    [0] { PERCENT($lost_share, digits: 1) } % der Messwerte fehlen.
+   *[other] { $lost_share ->
+        [0] { PERCENT($held_share, digits: 1) } % der Messwerte wiederholen den vorigen, bis zu { MILLI($longest_s) } ms lang.
+       *[other] { PERCENT($held_share, digits: 1) } % der Messwerte wiederholen den vorigen, bis zu { MILLI($longest_s) } ms lang; { PERCENT($lost_share, digits: 1) } % fehlen.
+    }
+}
 symptom-steps = { $channel } kommt in Stufen von { $step }: dem { FIXED($times, digits: 1) }-fachen seines Rauschens.
 symptom-coarser-steps = { $channel } kommt in Stufen von { $step }, angegeben sind { $stated }: dem { FIXED($times, digits: 1) }-fachen seines Rauschens.
 symptom-line = Eine Linie bei { $place } mit Amplituden bis zu { $amplitude }, in { $channel } dem { FIXED($times, digits: 1) }-fachen des Rauschens.

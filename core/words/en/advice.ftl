@@ -13,6 +13,7 @@ advice-joint-offset-uneven = Centre or replace the encoder of joint { $joint }, 
 advice-kinematic-lag = Record unfiltered joint positions, or shift the joints' time stamps { MILLI($lag_s, digits: 1) } ms earlier.
 advice-payload-loose = Fasten the loose part of the payload: about { PERCENT($mass_share) } % of its mass gives by { MILLI($sag_m) } mm under its weight and swings at { FIXED($frequency_hz, digits: 1) } Hz.
 advice-payload-loose-hanging = Fasten the loose part of the payload: about { PERCENT($mass_share) } % of its mass hangs { MILLI($sag_m) } mm below where it is held and swings at { FIXED($frequency_hz, digits: 1) } Hz.
+advice-payload-loose-stops = Fasten the loose part of the payload: it slides from stop to stop and moves the first moment by { MILLI($first_moment_kg_m, digits: 1) } kg mm to either side.
 advice-payload-mass-gained = Check the payload: at { FIXED($at_s, digits: 1) } s it gained { MILLI($mass_kg) } g at ({ MILLI($x_m) }, { MILLI($y_m) }, { MILLI($z_m) }) mm from the sensor; identify it again afterwards.
 advice-payload-mass-lost = Check the payload: at { FIXED($at_s, digits: 1) } s it lost { MILLI($mass_kg) } g at ({ MILLI($x_m) }, { MILLI($y_m) }, { MILLI($z_m) }) mm from the sensor; identify it again afterwards.
 advice-payload-mismatch = Check that the right payload is mounted and replace the reference by the identified parameters.
@@ -20,7 +21,13 @@ advice-payload-mismatch-heavier = Check that the right payload is mounted and re
 advice-payload-mismatch-lighter = Check that the right payload is mounted and replace the reference by the identified parameters (it is { MILLI($mass_kg) } g lighter).
 advice-payload-shift = Clamp the payload more firmly: at { FIXED($at_s, digits: 1) } s it slipped by { MILLI($first_moment_kg_m, digits: 1) } kg mm; identify it again afterwards.
 advice-payload-shift-of-whole = Clamp the payload more firmly: at { FIXED($at_s, digits: 1) } s it slipped by { MILLI($first_moment_kg_m, digits: 1) } kg mm (the whole payload by { MILLI($distance_m, digits: 1) } mm); identify it again afterwards.
-advice-sample-dropout = Match the recorder's rate to the sensor's or relieve its bus: { PERCENT($held_share, digits: 1) } % of the samples are held and { PERCENT($lost_share, digits: 1) } % are lost.
+advice-sample-dropout = Match the recorder's rate to the sensor's or relieve its bus: { $held_share ->
+    [0] { PERCENT($lost_share, digits: 1) } % of the samples are lost.
+   *[other] { $lost_share ->
+        [0] { PERCENT($held_share, digits: 1) } % of the samples are held.
+       *[other] { PERCENT($held_share, digits: 1) } % of the samples are held and { PERCENT($lost_share, digits: 1) } % are lost.
+    }
+}
 advice-sensor-creep = Wait about { FIXED($wait_s, digits: 0) } s after a change of load before taring or measuring: { $channel } creeps by { PERCENT($creep_share, digits: 2) } % of the change within { FIXED($within_s, digits: 0) } s.
 advice-sensor-crosstalk = Load the sensor's calibration matrix anew or have it recalibrated: { $load } of { $of_channel } shows as { $shown } in { $in_channel }.
 advice-sensor-drift = Let the sensor warm up for 20 min and tare it just before the run: its offset went { $drift } in { FIXED($within_s, digits: 0) } s.

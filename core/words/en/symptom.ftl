@@ -1,6 +1,12 @@
 # What is read off a recording directly, beside the verdict.
 symptom-noisier = The noise of { $channel } in the holds is { FIXED($times, digits: 2) } times the stated one, its correlation between samples { FIXED($correlation, digits: 2) }.
-symptom-held-or-lost = { PERCENT($held_share, digits: 1) } % of the wrench samples repeat the one before, for up to { MILLI($longest_s) } ms, and { PERCENT($lost_share, digits: 1) } % of the samples are missing.
+symptom-held-or-lost = { $held_share ->
+    [0] { PERCENT($lost_share, digits: 1) } % of the wrench samples are missing.
+   *[other] { $lost_share ->
+        [0] { PERCENT($held_share, digits: 1) } % of the wrench samples repeat the one before, for up to { MILLI($longest_s) } ms.
+       *[other] { PERCENT($held_share, digits: 1) } % of the wrench samples repeat the one before, for up to { MILLI($longest_s) } ms, and { PERCENT($lost_share, digits: 1) } % of the samples are missing.
+    }
+}
 symptom-steps = { $channel } comes in steps of { $step }: { FIXED($times, digits: 1) } times its noise.
 symptom-coarser-steps = { $channel } comes in steps of { $step }, stated are { $stated }: { FIXED($times, digits: 1) } times its noise.
 symptom-line = There is a line at { $place } with amplitudes up to { $amplitude }, { FIXED($times, digits: 1) } times the noise in { $channel }.

@@ -162,7 +162,7 @@ def test_starts_lie_within_the_bounds_and_away_from_nonsense(effect: Effect, run
     lower, upper = np.array([(p.lower, p.upper) for p in parameters]).T
     residual = np.random.default_rng(11).standard_normal((len(run), 6))
     starts = effect.starts(run, residual)
-    assert starts
+    assert starts or effect.wider_shape  # which may see no sign of itself
     for start in starts:
         assert start.shape == lower.shape
         assert (start >= lower).all(), start

@@ -42,7 +42,7 @@ def test_every_piece_of_a_parameters_name_has_words() -> None:
 
 
 SYMBOLS = {
-    *(str(k) for k in range(1, 10)), *"xyz", "xx", "xy", "xz", "yy", "yz", "zz", "fx", "fy", "fz", "tx", "ty", "tz",
+    *(str(k) for k in range(1, 41)), *"xyz", "xx", "xy", "xz", "yy", "yz", "zz", "fx", "fy", "fz", "tx", "ty", "tz",
     "m", "mc x", "mc y", "mc z", "ixx", "ixy", "ixz", "iyy", "iyz", "izz",
 }  # fmt: skip
 

@@ -1,0 +1,101 @@
+"""Probabilities of the diagnosis, learnt from simulated trials.
+
+python -m bench.calibration FOLDER [--count N] [--workers N | --dask tcp://HOST:8786] [--write]
+
+Runs trials and appends each one's evidence to FOLDER/trials.jsonl; started again it goes on where it ended. Then the map from evidence to
+probabilities is fitted, and judged by leaving out variants and unknown causes in turn. `--write` puts it where the diagnosis reads it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from concurrent.futures import as_completed
+from datetime import UTC, datetime
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
+from bench.calibration.by_hand import weigh_by_hand
+from bench.calibration.learning import can_teach, learn, list_features, make_case, predict_left_out
+from bench.calibration.scores import HEADER, find_coverage, find_outside, score
+from bench.calibration.trial import Trial, run_trial
+from bench.calibration.weighing import FILE, Provenance, Weights
+from core.trial.batch import on_cluster, on_cores
+
+
+def read_trials(path: Path) -> list[Trial]:
+    """Those of earlier runs; a last line that was cut off is left out."""
+    lines = path.read_text().splitlines() if path.exists() else []
+    return [Trial.model_validate_json(line) for line in lines if line.endswith("}")]
+
+
+def run_trials(path: Path, seeds: list[int], workers: int, dask: str | None) -> None:
+    """Appends a line for each trial as it ends."""
+    with on_cores(workers) if dask is None else on_cluster(dask) as executor, path.open("a") as file:
+        if path.exists() and path.stat().st_size and not path.read_bytes().endswith(b"\n"):
+            file.write("\n")
+        for future in as_completed({executor.submit(run_trial, seed) for seed in seeds}):
+            error = future.exception()
+            if error is not None:
+                print(f"a trial failed: {error!r}", file=sys.stderr, flush=True)
+                continue
+            trial = future.result()
+            file.write(trial.model_dump_json() + "\n")
+            file.flush()
+            print(f"{trial.seed}: {trial.truth} {' '.join(trial.variants)}, gap {trial.gap:.2f}, {trial.seconds:.0f} s", flush=True)
+
+
+def learn_weights(trials: list[Trial]) -> Weights:
+    """Learns from all trials; prints how well weights do that were learnt without the variant or cause that they are tried on."""
+    names = list_features(trials)
+    teaching = [trial for trial in trials if can_teach(trial)]
+    left_out = predict_left_out(trials, names)
+    by_hand = {trial.seed: weigh_by_hand(trial.traces[0], trial.traces[1:]) for trial in trials}
+    learnt, hand = score(trials, left_out), score(trials, by_hand)
+    covered, size = find_coverage(trials, left_out)
+    print(HEADER, hand.say("by hand"), learnt.say("learnt, left out"), sep="\n")
+    print(f"sets that are to hold the truth in 90 %: {100 * covered:.1f} %, {size:.1f} answers each")
+    w = learn([make_case(trial, names) for trial in teaching], names)
+    counted = [trial for trial in trials if not trial.material]
+    missed = sum(trial.matters for trial in counted)
+    seeds = [trial.seed for trial in trials]
+    return Weights(
+        weights={name: round(float(value), 4) for name, value in zip(names, w, strict=True)},
+        outside=round(find_outside(teaching, left_out), 4),
+        overlooked=round((missed + 1) / (len(counted) + 2), 4),
+        provenance=Provenance(
+            date=f"{datetime.now(UTC):%Y-%m-%d}",
+            trials=len(trials),
+            learnt_from=len(teaching),
+            seeds=(min(seeds), max(seeds)),
+            versions=tuple(sorted({trial.version for trial in trials})),
+            scores={**learnt.as_numbers(), "covered": round(covered, 3), "set_size": round(size, 2)},
+            scores_by_hand=hand.as_numbers(),
+        ),
+    )
+
+
+def main() -> None:
+    """Runs what lacks, then learns."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--count", type=int, default=250)
+    parser.add_argument("--first", type=int, default=0, help="the first seed")
+    parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--dask", help="address of a scheduler that runs")
+    parser.add_argument("--write", action="store_true")
+    arguments = parser.parse_args()
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    path = arguments.folder / "trials.jsonl"
+    done = {trial.seed for trial in read_trials(path)}
+    wanted = [seed for seed in range(arguments.first, arguments.first + arguments.count) if seed not in done]
+    run_trials(path, wanted, arguments.workers, arguments.dask)
+    weights = learn_weights(read_trials(path))
+    print(weights.model_dump_json(indent=2))
+    if arguments.write:
+        FILE.write_text(weights.model_dump_json(indent=2) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,81 @@
+"""One simulated trial: what was planted, and the evidence that the fits left."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict
+from threadpoolctl import threadpool_limits
+
+from bench.calibration.planting import plant_trial
+from bench.calibration.trace import Trace, trace_of
+from core.array import Array
+from core.effects.library import library
+from core.gap.basis import basis_of
+from core.gap.closure import gap_of
+from core.gap.effect_fit import EffectFit
+from core.gap.evidence import gather
+from core.gap.fit_all import one_by_one
+from core.gap.limits import BEYOND_STD, GAP, SHARES, sizes
+from core.gap.windows import Windows
+from core.version import code_version
+
+
+class Trial(BaseModel):
+    """What is kept of a trial.
+
+    Args:
+        families, variants: of what was planted, sorted by family.
+        size: in plausible sizes.
+        gap: that the nominal twin leaves.
+        matters: whether what was planted lifts the gap above 2, or moves the payload from the true one by what matters.
+        material: whether the diagnosis took it to.
+        traces: the nominal twin's first.
+        seconds: of processor time.
+    """
+
+    model_config = ConfigDict(frozen=True)
+
+    seed: int
+    families: tuple[str, ...]
+    variants: tuple[str, ...]
+    size: float
+    gap: float
+    matters: bool
+    material: bool
+    traces: tuple[Trace, ...]
+    seconds: float
+    version: str
+
+    @property
+    def truth(self) -> str:
+        """As traces are named: `none`, `unknown`, or what was planted."""
+        return "+".join(self.families) or "none"
+
+
+def run_trial(seed: int) -> Trial:
+    """Plants, records, fits; on one core."""
+    began = time.process_time()
+    with threadpool_limits(1):
+        planted = plant_trial(seed)
+        windows = Windows(basis_of(planted.recording))
+        evidence = gather(windows, library(), one_by_one)
+    return Trial(
+        seed=seed,
+        families=planted.families,
+        variants=planted.variants,
+        size=planted.size,
+        gap=gap_of(windows, evidence.nominal),
+        matters=bool(planted.families) and does_matter(windows, evidence.nominal, planted.phi),
+        material=evidence.material,
+        traces=tuple(trace_of(fit) for fit in (evidence.nominal, *evidence.singles, *evidence.pairs)),
+        seconds=time.process_time() - began,
+        version=code_version(),
+    )
+
+
+def does_matter(windows: Windows, nominal: EffectFit, phi: Array) -> bool:
+    """By the rules of `core.gap.materiality`, against the true payload (10,)."""
+    moved = np.abs(nominal.phi - phi)
+    return bool(gap_of(windows, nominal) > GAP or ((moved > SHARES * sizes(phi)) & (moved > BEYOND_STD * nominal.phi_std)).any())

@@ -1,0 +1,67 @@
+"""`bench.calibration.weighing`: from traces to probabilities, with weights that were learnt."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from bench.calibration.trace import BLOCKS, Trace
+from bench.calibration.weighing import left_share, read_weights, weigh
+
+ROWS = 6000
+
+
+def trace(name: str, left: float, free: int = 3, at_bound: int = 0, size: float = 1.0) -> Trace:
+    """A fit that leaves so much chi-square per row beyond what noise leaves, the same everywhere."""
+    each = ROWS * (1.0 + left)
+    return Trace(
+        name=name,
+        effects=0 if name == "none" else len(name.split("+")),
+        free=free,
+        at_bound=at_bound,
+        size=size,
+        rows=ROWS,
+        by_block=tuple(each / BLOCKS * (1.0 + 0.1 * np.sin(np.arange(BLOCKS)))),
+        by_channel=(each / 6,) * 6,
+        by_band=(1.0 + left,) * 3,
+        lag=(min(0.9, left),) * 6,
+        log_evidence=-0.5 * each,
+    )
+
+
+def test_probabilities_sum_to_one_however_many_fits_there_are() -> None:
+    for count in (0, 1, 20):
+        p = weigh(trace("none", 50.0), [trace(f"effect_{k}", 3.0 * k) for k in range(count)])
+        assert p.shape == (2 + count,)
+        assert p.sum() == pytest.approx(1.0)
+        assert (p > 0.0).all()
+
+
+def test_what_closes_the_gap_is_more_probable_the_less_it_leaves() -> None:
+    shares = [weigh(trace("none", 50.0), [trace("a", left), trace("b", 40.0)])[2] for left in (0.0, 0.5, 5.0, 25.0)]
+    assert shares == sorted(shares, reverse=True)
+    assert shares[0] > 0.8
+
+
+def test_where_no_gap_is_nothing_is_most_probable_and_with_a_large_one_it_is_out_of_the_question() -> None:
+    assert np.argmax(weigh(trace("none", 0.0), [trace("a", 0.0), trace("b", 0.0, 12)])) == 0
+    assert weigh(trace("none", 50.0), [trace("a", 10.0)])[0] < 0.01
+
+
+def test_where_much_is_left_over_it_is_unknown() -> None:
+    p = weigh(trace("none", 50.0), [trace("a", 35.0), trace("b", 38.0), trace("c+d", 30.0, 12)])
+    assert np.argmax(p) == 1
+
+
+def test_weights_are_shipped_with_where_they_come_from() -> None:
+    known = read_weights()
+    assert set(known.weights) >= {"none", "unknown", "worse", "left", "pair"}
+    assert known.provenance.learnt_from >= 50
+    assert known.provenance.versions
+    assert 0.0 < known.outside < 0.5
+    assert 0.0 < known.overlooked < 0.5
+
+
+def test_what_may_be_chance_is_nothing_left() -> None:
+    assert left_share(trace("none", 10.0), trace("a", 0.02)) == 0.0
+    assert left_share(trace("none", 10.0), trace("a", 5.0)) == pytest.approx(0.5, abs=0.01)
