@@ -77,11 +77,11 @@ class DriftThatWanders(SensorDrift):
 def wanders_in_holds(scene: Scene, residual: Array) -> bool:
     """Whether residuals (N, 6), in standard deviations of the noise, change in the holds as they do elsewhere, channel by channel."""
     lag = max(1, round(LAG_S / scene.period))
-    if len(residual) < 8 * lag:
+    if scene.apart or len(residual) < 8 * lag:
         return False
     holds = np.char.startswith(scene.phase.astype(str), "hold")
     inside, far = _find_inside(holds, lag), _find_inside(holds, 2 * lag)
-    if inside.sum() < 4 * lag or far.sum() < 2 * lag:
+    if inside.sum() < 4 * lag or far.sum() < 2 * lag or inside.all():  # where nothing moves there is nothing to compare with
         return False
     changes = residual[lag:] - residual[:-lag]
     near, twice = changes[inside], (residual[2 * lag :] - residual[: -2 * lag])[far]

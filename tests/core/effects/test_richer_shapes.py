@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.optimize import least_squares
@@ -42,6 +44,11 @@ def test_what_else_is_slow_does_not(kind: str) -> None:
         "ramp": 10.0 * np.outer(RUN.t / RUN.t[-1], EVEN),
     }
     assert not wanders_in_holds(RUN, noise() + also[kind])
+
+
+def test_where_nothing_moves_or_only_poses_are_known_nobody_can_tell() -> None:
+    assert not wanders_in_holds(replace(RUN, phase=np.full(len(RUN), "hold:free")), noise() + walk(30.0))
+    assert not wanders_in_holds(replace(RUN, apart=True), noise() + walk(30.0))
 
 
 def test_the_shape_follows_a_walk_and_starts_nowhere_else() -> None:
