@@ -26,6 +26,7 @@ from server.http.asyncapi import describe_sockets
 from server.http.middleware import BodyLimit, Requests
 from server.http.openapi import describe
 from server.http.problem_answers import answer_with_problems
+from server.imports import routes as imports_routes
 from server.jobs import diagnosis_routes, motion_routes, trial_routes, twin_routes
 from server.people import account_routes, audit_routes, key_routes, own_session_routes, session_routes
 from server.people.authority import AUTHORITY
@@ -90,6 +91,7 @@ ROUTES = (
     file_routes,
     live_routes,
     diagnosis_routes,
+    imports_routes,
     motion_routes,
     trial_routes,
     webhook_routes,
@@ -118,7 +120,7 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
         service.recent_log.start()
         start_service(service)
         make_room_for_waiting()
-        work = (service.conductor, service.diagnoses, service.trials, service.deliverer, service.alarms, service.gallery)
+        work = (service.conductor, service.diagnoses, service.trials, service.deliverer, service.alarms, service.gallery, service.imports)
         for each in work:
             await each.start()
         own = checker is None  # one that was handed in serves others too

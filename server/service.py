@@ -14,6 +14,7 @@ from server.cells.folder import CellFolder
 from server.cells.tool_outlines import ToolOutlines
 from server.cells.uploads import CellChecker
 from server.http.console import Console
+from server.imports.imports import Imports
 from server.jobs import kinds as job_kinds
 from server.jobs.jobs import Worker
 from server.people.auth import RecentCallers
@@ -63,6 +64,11 @@ class Service:
     def drafts(self) -> Drafts:
         """Cells that are being made."""
         return Drafts(self.cells)
+
+    @cached_property
+    def imports(self) -> Imports:
+        """Logs that are being imported."""
+        return Imports(self.settings, self.now)
 
     @cached_property
     def door(self) -> Door:

@@ -82,6 +82,11 @@ class Settings(BaseSettings):
         return self.data / "trials"
 
     @property
+    def imports_folder(self) -> Path:
+        """Where logs are that are being imported."""
+        return self.data / "imports"
+
+    @property
     def store_url(self) -> str:
         """SQLAlchemy's URL of the store, with the driver named."""
         url = self.database_url or f"sqlite:///{(self.data / STORE_FILE).absolute()}"

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager, nullcontext
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, nullcontext, suppress
 from typing import Annotated
 
+import numpy as np
 import typer
 
+from core.array import Array
+from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
 from core.cli.options import CellArgument, PayloadOption, SeedOption, choose_payload
 from core.cli.terminal import find_wording, messages
@@ -19,6 +22,7 @@ from core.fakes.ur_arm import UrArm
 from core.fakes.ur_server import UrServer
 from core.fakes.xarm_arm import XarmArm
 from core.fakes.xarm_server import CONTROL_PORT, XarmServer
+from core.plant.virtual_robot import VirtualRobot
 
 app = typer.Typer()
 RDT_PORT, PAGES_PORT = 49152, 8049
@@ -55,9 +59,9 @@ def serve_ur(
     if len(arm.q) != 6:
         raise BadInput("cell", "cli-fake-not-six-joints", count=len(arm.q))
     server = UrServer(arm, host, patience_s=patience)
-    with _tell_no_address(host, UR_PORTS), server, _attach_box(arm) if ati else nullcontext():
+    with _tell_no_address(host, UR_PORTS), server, _make_box(lambda: arm.samples[-1].wrench, loaded) if ati else nullcontext():
         if ati:
-            messages.print(find_wording().say("cli-fake-serves-ati", rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)
+            _tell_ports("cli-fake-serves-ati")
         _serve(server, arm, arm.model, arm.serial)
 
 
@@ -105,7 +109,24 @@ def _serve(server: PacedServer, arm: UrArm | XarmArm, model: str, serial: str) -
         messages.print(said, soft_wrap=True)
 
 
-def _attach_box(arm: UrArm) -> AtiServer:
-    """A box that reports what acts on the arm's sensor; the arm's samples have what it exerts."""
-    ranges = ";".join(f"{value:g}" for value in arm.cell.sensor.range)
-    return AtiServer(lambda _: (-arm.samples[-1].wrench).tolist(), setup=Setup(ranges=ranges), rdt_port=RDT_PORT, http_port=PAGES_PORT)
+@app.command("ati")
+def serve_ati(cell: CellArgument, payload: PayloadOption = None, seed: SeedOption = 0) -> None:
+    """An ATI Net F/T box (RDT 49152, pages 8049) on a virtual robot that holds the payload at home; `heft fake ur --ati` moves it."""
+    loaded = load_cell(find_cell(cell))
+    _, carried = choose_payload(loaded, payload)
+    robot = VirtualRobot(loaded, carried.parameters, np.random.default_rng(seed))
+    with _tell_no_address("127.0.0.1", f"{RDT_PORT}, {PAGES_PORT}"), _make_box(lambda: robot.step(robot.home).wrench, loaded):
+        _tell_ports("cli-fake-serves-ati-alone")
+        with suppress(KeyboardInterrupt):
+            while True:
+                time.sleep(1.0)
+
+
+def _make_box(wrench: Callable[[], Array], cell: Cell) -> AtiServer:
+    """A box that reports what acts on the sensor; `wrench` is what the sensor exerts, (6,)."""
+    ranges = ";".join(f"{value:g}" for value in cell.sensor.range)
+    return AtiServer(lambda _: (-wrench()).tolist(), setup=Setup(ranges=ranges), rdt_port=RDT_PORT, http_port=PAGES_PORT)
+
+
+def _tell_ports(code: str) -> None:
+    messages.print(find_wording().say(code, rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)

@@ -15,12 +15,11 @@ from rich.table import Table
 from core.cli.terminal import answers, find_wording, messages
 from core.errors import BadInput, BadRecording
 from core.estimation.setup.clock_offset import estimate_clock_offset
-from core.estimation.setup.log_choice import ImportedLog, import_log
+from core.estimation.setup.log_choice import ImportedLog, read_log
 from core.files.jail import read_inside
 from core.recording.folder import write_recording
 from core.recording.logs.conversion import MAX_URDF_BYTES, Conversion
-from core.recording.logs.mapping import LogPart, Mapping, WrenchPart, change_mapping, read_mapping, write_mapping
-from core.recording.logs.proposal import propose_mappings
+from core.recording.logs.mapping import LogPart, Mapping, WrenchPart, write_mapping
 from core.recording.logs.question import OpenQuestion
 from core.recording.logs.tables import Log, open_log
 from core.words.wording import Wording
@@ -78,8 +77,7 @@ def _import_with_answers(log: Log, mapping: Path | None, given: dict[str, str]) 
     """The log, with what a person answers on a terminal; in a pipe a question is an error that names the option."""
     for _ in range(MOST_QUESTIONS):
         try:
-            mappings = propose_mappings(log, given) if mapping is None else [change_mapping(read_mapping(mapping), given)]
-            return import_log(log, mappings, Path() if mapping is None else mapping.parent)
+            return read_log(log, mapping, given)
         except OpenQuestion as question:
             if not _can_ask():
                 raise
@@ -141,7 +139,7 @@ def _describe_wrench(wrench: WrenchPart, words: Wording) -> Iterator[tuple[str, 
     yield words.say("import-force"), f"{_name(wrench.force)} [{wrench.force_unit}]"
     yield words.say("import-torque"), f"{_name(wrench.torque)} [{wrench.torque_unit}]"
     yield words.say("import-meaning"), f"{sign}; {axes}"
-    if all(name.casefold().startswith("actual_tcp_force") for name in wrench.force):
+    if wrench.is_compensated:
         yield "", words.say("import-compensated")
     if wrench.time is not None:
         yield words.say("import-time"), _clock(wrench)

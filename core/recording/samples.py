@@ -144,7 +144,7 @@ class SamplesFile:
 
     def __init__(self, file: Path, where: str, form: CsvForm = PLAIN_CSV) -> None:
         self._file, self.where, self._form = file, where, form
-        self._is_parquet = file.name.endswith("parquet")
+        self._is_parquet = file.name.lower().endswith("parquet")
 
     @classmethod
     def of_folder(cls, folder: Path) -> SamplesFile:
@@ -262,13 +262,15 @@ def read_csv_bytes(file: Path, where: str, most_bytes: int = MAX_BYTES) -> bytes
         BadRecording: it unpacks to more than `most_bytes`.
         OSError, EOFError: it is no gzip, or a truncated one.
     """
-    if file.suffix != ".gz":
+    if file.suffix.lower() != ".gz":
         return file.read_bytes()
+    content = io.BytesIO()
     with gzip.open(file) as stream:
-        content = stream.read(most_bytes + 1)
-    if len(content) > most_bytes:
-        raise BadRecording(where, "recording-unpacks-too-large", most_bytes=most_bytes)
-    return content
+        while chunk := stream.read(BUFFER_BYTES):  # asked for all of it, gzip would first make room for what there may be
+            content.write(chunk)
+            if content.tell() > most_bytes:
+                raise BadRecording(where, "recording-unpacks-too-large", most_bytes=most_bytes)
+    return content.getvalue()
 
 
 def name_column(file: str | Message, column: str, row: int | None = None) -> Message:

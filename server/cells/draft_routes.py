@@ -28,7 +28,7 @@ from server.http.dependencies import MetricsDep, NowDep, StoreDep
 from server.http.errors import Conflict
 from server.http.parameters import DraftPath
 from server.http.schemas import Answer, Name, RequestBody
-from server.http.zip_body import ROBOT, check_is_upload, write_body
+from server.http.zip_body import FILE_OR_ZIP, check_is_upload, write_body
 from server.http.zip_file import UPLOADED
 from server.people.auth import CallerDep
 from server.runner.draft_schemas import DraftCellPublic
@@ -102,7 +102,7 @@ async def _receive_robot(
     ] = None,
 ) -> AsyncIterator[tuple[Draft, str | None]]:
     """A new draft with the request's body in it."""
-    is_file = check_is_upload(request)
+    is_file = check_is_upload(request, "robot")
     if is_file and (name is None or not FILE_NAME.fullmatch(name) or Path(name).suffix not in DESCRIPTIONS):
         raise BadRobot(UPLOADED, "drafts-no-description", kinds=DESCRIPTIONS)
     with drafts.begin(now) as draft:
@@ -110,7 +110,7 @@ async def _receive_robot(
         yield draft, name if is_file else None
 
 
-@router.post("", status_code=201, openapi_extra=ROBOT)
+@router.post("", status_code=201, openapi_extra=FILE_OR_ZIP)
 def create_draft(received: Annotated[tuple[Draft, str | None], Depends(_receive_robot)], now: NowDep, response: Response) -> DraftPublic:
     """Begins a cell with a robot's description: a zip of it with its meshes, or one URDF or xacro file."""
     draft, name = received

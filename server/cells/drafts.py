@@ -5,12 +5,10 @@ from __future__ import annotations
 import json
 import re
 import secrets
-import shutil
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
-from datetime import datetime, timedelta
+from dataclasses import dataclass
+from datetime import timedelta
 from pathlib import Path
 from typing import Annotated, Any
 from zipfile import ZIP_STORED, ZipFile
@@ -20,6 +18,7 @@ from core.words.catalogue import Language
 from server.cells.archive import UPLOAD, unpack_robot
 from server.cells.folder import NEW, CellFolder
 from server.http.dependencies import depend_on
+from server.http.draft_folders import DraftFolder, DraftFolders
 from server.http.errors import Conflict, NotFound, Unprocessable
 from server.http.flaws import raise_refused
 from server.runner.messages import Answered
@@ -43,74 +42,30 @@ MOST_LETTERS = 200_000
 
 
 @dataclass
-class Draft:
-    """A cell that is being made.
+class Draft(DraftFolder):
+    """A cell that is being made."""
 
-    Args:
-        folder: all of it.
-        touched_at: when somebody asked for it last.
-    """
-
-    id: str
-    folder: Path
-    touched_at: datetime
     description: str | None = None
     """The URDF to make it of, a path from the folder; None before one was read."""
     packages: tuple[str, ...] = ()
     """Folders in which its packages may be found, paths from the folder."""
-    busy: threading.Lock = field(default_factory=threading.Lock)
 
 
-class Drafts:
-    """All drafts of the service; none outlives it."""
+class Drafts(DraftFolders[Draft]):
+    """All drafts of the service."""
 
     def __init__(self, cells: CellFolder) -> None:
+        super().__init__(Draft, LASTS, MOST)
         self._cells = cells
-        self._known: dict[str, Draft] = {}
-        self._changing = threading.Lock()
 
-    @contextmanager
-    def begin(self, now: datetime) -> Iterator[Draft]:
-        """A new draft with an empty folder; it is kept where nothing goes wrong inside.
+    def _choose_folder(self) -> Path:
+        return self._cells.folder.resolve() / f"{NEW}{secrets.token_hex(8)}"
 
-        Raises:
-            Conflict: there are as many as there may be.
-        """
-        self._forget_old(now)
-        with self._changing:
-            if len(self._known) >= MOST:
-                raise Conflict("drafts-too-many", most_drafts=MOST)
-            draft = Draft(secrets.token_hex(12), self._cells.folder.resolve() / f"{NEW}{secrets.token_hex(8)}", now)
-            self._known[draft.id] = draft
-        draft.folder.mkdir()
-        try:
-            yield draft
-        except BaseException:
-            self.remove(draft)
-            raise
+    def _refuse_more(self) -> Conflict:
+        return Conflict("drafts-too-many", most_drafts=MOST)
 
-    def find(self, name: str, now: datetime) -> Draft:
-        """A draft that somebody goes on with.
-
-        Raises:
-            NotFound: there is none, or not any more.
-        """
-        self._forget_old(now)
-        draft = self._known.get(name)
-        if draft is None:
-            raise NotFound("drafts-unknown", draft=name[:80])
-        draft.touched_at = now
-        return draft
-
-    def remove(self, draft: Draft) -> None:
-        """Nothing of it stays."""
-        self._known.pop(draft.id, None)
-        shutil.rmtree(draft.folder, ignore_errors=True)
-
-    def _forget_old(self, now: datetime) -> None:
-        for draft in list(self._known.values()):
-            if now - draft.touched_at > LASTS and draft.busy.acquire(blocking=False):
-                self.remove(draft)
+    def _refuse_unknown(self, name: str) -> NotFound:
+        return NotFound("drafts-unknown", draft=name)
 
 
 def receive_robot(draft: Draft, name: str | None) -> None:

@@ -28,6 +28,8 @@ CELL_ZIP = (
 DRAWN_ZONE = ("zone-too-small", "zone-too-large", "zone-too-far", "zone-not-looked-at", "jobs-work-lost")
 DRAFT = ("drafts-unknown",)
 DRAFT_WORK = ("drafts-busy", "drafts-work-ended", "uploads-outside-file", "uploads-program")
+IMPORT = ("imports-unknown",)
+UNREAD = (*IMPORT, "imports-not-read", "imports-question-open", "imports-contradicted")
 UNUSABLE = ("bad-cell", "bad-robot")
 """Kinds of what the engine says of a cell, with codes of its own."""
 
@@ -119,6 +121,24 @@ REFUSALS: dict[str, tuple[str, ...]] = {
         "jobs-no-motion-yet", "jobs-no-motion-proposed", "jobs-no-motion-asked", "jobs-motion-refused", "jobs-motion-not-planned",
         "jobs-robot-changed", "jobs-gravity-changed", *REPEATED,
     ),
+    "POST /api/imports": ("imports-too-many",),
+    "GET /api/imports/{log_import}": IMPORT,
+    "DELETE /api/imports/{log_import}": (*IMPORT, "imports-busy"),
+    "PUT /api/imports/{log_import}/files/{file}": (
+        *IMPORT, "imports-busy", "imports-too-many-files", "imports-name-unusual", "imports-kind-unknown", "imports-file-empty",
+        "imports-disk-too-full", "imports-not-writable", "imports-unpacks-too-large", "imports-own-recording", "imports-no-log-inside",
+        "uploads-two-recordings", *ZIP,
+    ),
+    "DELETE /api/imports/{log_import}/files/{file}": (*IMPORT, "imports-busy", "imports-file-unknown"),
+    "PUT /api/imports/{log_import}/reading": (
+        *IMPORT, *CELL, "imports-busy", "imports-no-log-yet", "imports-several", "imports-reading-ended", "uploads-outside-file",
+        "uploads-program",
+    ),
+    "GET /api/imports/{log_import}/mapping": UNREAD,
+    "GET /api/imports/{log_import}/recording": UNREAD,
+    "POST /api/imports/{log_import}/diagnosis": (
+        *UNREAD, *CELL, "imports-busy", "jobs-upload-of-other-cell", "jobs-upload-of-other-robot",
+    ),
     "GET /api/trials/{trials}": JOB,
     "DELETE /api/trials/{trials}": (*JOB, "jobs-over"),
     "DELETE /api/webhooks/{webhook}": ("runs-webhook-unknown",),
@@ -160,6 +180,9 @@ ENGINE_REFUSALS: dict[str, tuple[str, ...]] = {
     "GET /api/runs/{run}/certificate": ("bad-recording",),
     "GET /api/runs/{run}/certificate.pdf": ("bad-recording",),
     "POST /api/diagnoses/uploads": (*UNUSABLE, "bad-recording"),
+    "PUT /api/imports/{log_import}/files/{file}": ("bad-input",),
+    "PUT /api/imports/{log_import}/reading": (*UNUSABLE, "bad-recording", "bad-input"),
+    "POST /api/imports/{log_import}/diagnosis": (*UNUSABLE, "bad-recording"),
     "POST /api/diagnoses/{diagnosis}/motion": (*UNUSABLE, "bad-recording"),
 }
 """Kinds of what the engine refuses there."""

@@ -13,6 +13,8 @@ from server.http.schemas import Name
 CellPath = Annotated[Name, Path(description="Name of the cell.", examples=["lwr4_bench"])]
 ZonePath = Annotated[Name, Path(description="Name of the protected zone.", examples=["operator"])]
 DraftPath = Annotated[str, Path(description="Identifier of the draft.", examples=["9f86d081884c7d659a2feaa0"])]
+ImportPath = Annotated[str, Path(description="Identifier of the import of a log.", examples=["9f86d081884c7d659a2feaa0"])]
+LogFilePath = Annotated[str, Path(description="Name of a file of the log.", examples=["wrench.csv"])]
 EffectPath = Annotated[Name, Path(description="Name of the effect.", examples=["time_delay"])]
 AccountPath = Annotated[Name, Path(description="Name of the account.", examples=["anna"])]
 KeyPath = Annotated[Name, Path(description="Name of the machine whose key it is.", examples=["line-3"])]

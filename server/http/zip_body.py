@@ -18,21 +18,21 @@ ZIP: dict[str, Any] = {
 
 
 FILE = "application/octet-stream"
-ROBOT: dict[str, Any] = {
+FILE_OR_ZIP: dict[str, Any] = {
     "requestBody": {"required": True, "content": dict.fromkeys(("application/zip", FILE), ZIP["requestBody"]["content"]["application/zip"])}
 }
 """The same where one file may come in place of a zip."""
 
 
-def check_is_upload(request: Request) -> bool:
-    """Whether the request brings a single file, not a zip of a robot's description.
+def check_is_upload(request: Request, what: What) -> bool:
+    """Whether the request brings a single file, not a zip of `what`.
 
     Raises:
         Unprocessable: it says that it brings something else.
     """
     if request.headers.get("content-type", "").partition(";")[0] == FILE:
         return True
-    check_is_zip(request, "robot")
+    check_is_zip(request, what)
     return False
 
 

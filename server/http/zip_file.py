@@ -16,7 +16,7 @@ BROKEN = (zipfile.BadZipFile, NotImplementedError, EOFError, OSError, ValueError
 CHUNK = 1 << 16
 UPLOADED = Message.of("uploads-upload")
 """Where something is that is wrong with a whole upload."""
-What = Literal["cell", "recording", "robot"]
+What = Literal["cell", "recording", "robot", "log"]
 
 
 def locate_file(name: str) -> Message:

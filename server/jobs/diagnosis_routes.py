@@ -105,7 +105,7 @@ def diagnose_run(
     if not folder.is_dir():
         raise Conflict("runs-no-recording", run=body.run, state=row.state)
     order = DiagnosisOrder(recording=folder.absolute(), run=body.run, cell=row.cell, tool=row.payload)
-    return _queue(store, diagnoses, order, caller.who, now, response)
+    return queue_diagnosis(store, diagnoses, order, caller.who, now, response)
 
 
 @router.post("/uploads", status_code=HTTP_202_ACCEPTED, openapi_extra=ZIP)
@@ -132,7 +132,7 @@ def diagnose_upload(
             shutil.rmtree(folder)
             raise
     order = DiagnosisOrder(recording=folder.absolute(), cell=cell, tool=tool, name=name)
-    return _queue(store, diagnoses, order, caller.who, now, response)
+    return queue_diagnosis(store, diagnoses, order, caller.who, now, response)
 
 
 @router.get("")
@@ -183,8 +183,24 @@ def download_diagnosis_report(diagnosis: DiagnosisPath, store: StoreDep, setting
     return downloads.page(files, name, missing)
 
 
-def _queue(store: Store, diagnoses: Worker, order: DiagnosisOrder, who: str, now: datetime, response: Response) -> DiagnosisPublic:
+def queue_diagnosis(
+    store: Store,
+    diagnoses: Worker,
+    order: DiagnosisOrder,
+    who: str,
+    now: datetime,
+    response: Response,
+    imported: audit.Detail | None = None,
+) -> DiagnosisPublic:
+    """A diagnosis that waits for its turn.
+
+    Args:
+        response: is told where it is.
+        imported: the files of the log that its recording was made of, with their SHA-256, for the audit log.
+    """
     with store.write() as db:
+        if imported is not None:
+            audit.record(db, who, "recording.import", {"recording": order.recording.name, **imported}, now=now)
         row = jobs.add_job(db, DIAGNOSIS, order, order.run, who, now)
         audit.record(db, who, "diagnosis.queue", {"diagnosis": row.id, "run": order.run}, now=now)
         found = _answer(diagnoses, row)

@@ -66,6 +66,8 @@ def compile_kinematics() -> None:
     robot = RobotModel(RobotDescription(TWO_HINGES, ("first", "second"), "base", "tip"))
     robot.sensor_jacobian(np.zeros(2))
     robot.sensor_pose(np.zeros(2))
+    robot.sensor_poses(np.zeros((1, 2)))
+    robot.sensor_jacobians(np.zeros((1, 2)))
 
 
 def _describe(made: Made) -> DraftCellPublic:

@@ -16,17 +16,18 @@ from server.http.zip_file import UPLOADED
 FORBIDDEN = ("socket.", "subprocess.", "os.exec", "os.fork", "os.posix_spawn", "os.system", "ctypes.", "os.symlink", "os.link")
 
 
-def confine(folder: Path, seconds: float, memory: int) -> None:
+def confine(folder: Path, seconds: float, memory: int, open_files: int = 64) -> None:
     """From here on: little time, little memory, no file outside the folder, no network, no other program.
 
     Args:
         seconds: of the processor, beside what it has used already.
         memory: bytes of private data.
+        open_files: at a time.
     """
     used = resource.getrusage(resource.RUSAGE_SELF)
     resource.setrlimit(resource.RLIMIT_DATA, (memory, memory))
     resource.setrlimit(resource.RLIMIT_CPU, (ceil(used.ru_utime + used.ru_stime + seconds) + 1,) * 2)
-    resource.setrlimit(resource.RLIMIT_NOFILE, (64, 64))
+    resource.setrlimit(resource.RLIMIT_NOFILE, (open_files, open_files))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     stay_here()
     inside = folder.resolve()

@@ -1325,6 +1325,156 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/imports": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Begin Import
+         * @description Begins an import; its files follow.
+         */
+        post: operations["begin_import"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/imports/{log_import}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Log Import
+         * @description How far it is.
+         */
+        get: operations["read_log_import"];
+        put?: never;
+        post?: never;
+        /**
+         * Delete Import
+         * @description Leaves it; nothing of it stays.
+         */
+        delete: operations["delete_import"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/imports/{log_import}/files/{file}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Send Log File
+         * @description Sends a file of the log: CSV, Parquet, MCAP, a bag of ROS, a zip of a bag's folder; map.toml; the robot's URDF. One of the same name
+         *     is replaced.
+         */
+        put: operations["send_log_file"];
+        post?: never;
+        /**
+         * Delete Log File
+         * @description Takes a file away again.
+         */
+        delete: operations["delete_log_file"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/imports/{log_import}/reading": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Read Log Anew
+         * @description Reads the log with what is known of it: the answer has what it was taken for, or the next question. Meanwhile the import tells how
+         *     far it is.
+         */
+        put: operations["read_log_anew"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/imports/{log_import}/mapping": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Mapping
+         * @description The mapping with which it was read, as map.toml: `heft import --map` takes it, and so does the next import of such a log.
+         */
+        get: operations["download_mapping"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/imports/{log_import}/recording": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Imported Recording
+         * @description The recording that was made of it, as a zip: `heft identify` takes the folder in it.
+         */
+        get: operations["download_imported_recording"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/imports/{log_import}/diagnosis": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Diagnose Import
+         * @description Keeps the recording as an uploaded one, and diagnoses it; the import is gone then.
+         */
+        post: operations["diagnose_import"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/diagnoses/{diagnosis}/motion": {
         parameters: {
             query?: never;
@@ -4772,6 +4922,54 @@ export interface components {
             safety_rated?: false;
         };
         /**
+         * ImportPublic
+         * @description A log that is being imported; it is gone when it was diagnosed or deleted, or when nobody has asked for it for some time.
+         */
+        ImportPublic: {
+            /**
+             * Log Import
+             * @description Identifier of the import.
+             * @example 9f86d081884c7d659a2feaa0
+             */
+            log_import: string;
+            /**
+             * Files
+             * @description What was sent.
+             */
+            files: components["schemas"]["LogFilePublic"][];
+            /**
+             * Cell
+             * @description Cell in which it was made; null where that is none of ours.
+             * @example lwr4_bench
+             */
+            cell: string | null;
+            /**
+             * Answers
+             * @description Keys of the mapping that were given for what was read last.
+             * @example {
+             *       "wrench.sign": "-1"
+             *     }
+             */
+            answers: {
+                [key: string]: string;
+            };
+            /**
+             * Progress
+             * @description Share of the reading that is done, 0 to 1; null while nothing is read.
+             * @example 0.3
+             */
+            progress: number | null;
+            /** @description How far it is understood; null before it was read. */
+            reading: components["schemas"]["LogReading"] | null;
+            /**
+             * Expires At
+             * Format: date-time
+             * @description When it is gone unless somebody asks for it.
+             * @example 2026-03-01T10:00:00Z
+             */
+            expires_at: string;
+        };
+        /**
          * Instruction
          * @description What the person at the robot has to do.
          */
@@ -5342,6 +5540,378 @@ export interface components {
              * @example 33.9
              */
             eta_s: number | null;
+        };
+        /**
+         * LogChange
+         * @description A key of the mapping that may have been taken wrongly.
+         */
+        LogChange: {
+            /**
+             * Key
+             * @description Key of the mapping.
+             * @example wrench.torque_unit
+             */
+            key: string;
+            /**
+             * Value
+             * @description What it was taken for.
+             * @example N m
+             */
+            value: string;
+            /**
+             * Choices
+             * @description Values that it may have; empty for a number.
+             * @example [
+             *       "N m",
+             *       "N mm"
+             *     ]
+             */
+            choices: string[];
+        };
+        /**
+         * LogClock
+         * @description Where columns are, and the times of their rows.
+         */
+        LogClock: {
+            /**
+             * File
+             * @description The file, or the topic of the bag; null where there is only one.
+             * @example wrench.csv
+             */
+            file: string | null;
+            /**
+             * Time
+             * @description Column of the times; null of poses that somebody averaged.
+             * @example t
+             */
+            time: string | null;
+            /**
+             * Unit
+             * @description Unit of the times.
+             * @example us
+             */
+            unit: string;
+            /**
+             * Begins S
+             * @description Added to its times, since its clock is behind, s.
+             * @example 0
+             */
+            begins_s: number;
+        };
+        /**
+         * LogColumns
+         * @description Columns that belong together.
+         */
+        LogColumns: {
+            /**
+             * Columns
+             * @description Their names, or numbers from 1 where the file has none.
+             * @example [
+             *       "fx",
+             *       "fy",
+             *       "fz"
+             *     ]
+             */
+            columns: string[];
+            /**
+             * Unit
+             * @description Their unit in the log; null where they have none.
+             * @example N
+             */
+            unit: string | null;
+        };
+        /**
+         * LogDiagnosisCreate
+         * @description The recording that was made of the log is to be diagnosed.
+         */
+        LogDiagnosisCreate: {
+            /**
+             * Name
+             * @description What to call it.
+             * @example Friday, new cable
+             */
+            name?: string | null;
+        };
+        /**
+         * LogFilePublic
+         * @description A file that was sent.
+         */
+        LogFilePublic: {
+            /**
+             * File
+             * @description Its name.
+             * @example wrench.csv
+             */
+            file: string;
+            /**
+             * Kind
+             * @description What it is by its name: a log, a mapping (map.toml), or a robot's description (URDF).
+             * @enum {string}
+             */
+            kind: "log" | "mapping" | "robot";
+            /**
+             * Size Bytes
+             * @description Its size, bytes.
+             * @example 1204331
+             */
+            size_bytes: number;
+        };
+        /**
+         * LogLine
+         * @description One line of a plot.
+         */
+        LogLine: {
+            /**
+             * Name
+             * @description What it is.
+             * @example fx
+             */
+            name: string;
+            /**
+             * Values
+             * @description One for each time.
+             * @example [
+             *       -1.31,
+             *       -1.29
+             *     ]
+             */
+            values: number[];
+        };
+        /**
+         * LogPreview
+         * @description The recording thinned out for plots: of each stretch of time the moment with the most unusual force.
+         */
+        LogPreview: {
+            /**
+             * T S
+             * @description Times, s.
+             * @example [
+             *       0,
+             *       0.1
+             *     ]
+             */
+            t_s: number[];
+            /**
+             * Force N
+             * @description The force that the sensor exerts on the payload, in its axes, N.
+             */
+            force_n: components["schemas"]["LogLine"][];
+            /**
+             * Torque N M
+             * @description The torque likewise, N m.
+             */
+            torque_n_m: components["schemas"]["LogLine"][];
+            /**
+             * Joints Rad
+             * @description Positions of the joints, rad; empty where the log has none.
+             */
+            joints_rad: components["schemas"]["LogLine"][];
+            /**
+             * Down
+             * @description Where gravity points, in the sensor's axes; empty where the log has joints.
+             */
+            down: components["schemas"]["LogLine"][];
+        };
+        /**
+         * LogQuestion
+         * @description What neither names nor samples tell: a key of the mapping that somebody has to choose a value for.
+         */
+        LogQuestion: {
+            /**
+             * Key
+             * @description Key of the mapping.
+             * @example wrench.sign
+             */
+            key: string;
+            /**
+             * Choices
+             * @description Values that it may have.
+             * @example [
+             *       "1",
+             *       "-1"
+             *     ]
+             */
+            choices: string[];
+            /**
+             * Likely
+             * @description The one that most speaks for; null where nothing speaks for any.
+             * @example 1
+             */
+            likely: string | null;
+            /** @description Why it cannot be told. */
+            reason: components["schemas"]["Message"];
+        };
+        /**
+         * LogReading
+         * @description How far a log is understood.
+         */
+        LogReading: {
+            /** @description What has to be answered before it can go on; null where nothing has. */
+            question: components["schemas"]["LogQuestion"] | null;
+            /** @description What it was taken for; null before all is answered. */
+            understood: components["schemas"]["LogUnderstood"] | null;
+            /**
+             * Changes
+             * @description What may be taken otherwise: answered like a question.
+             */
+            changes: components["schemas"]["LogChange"][];
+            /** @description Why the log cannot be used like this, with the likely slip; null where nothing speaks against it. */
+            contradiction: components["schemas"]["Message"] | null;
+            /**
+             * Remarks
+             * @description What should be known before its numbers are used.
+             */
+            remarks: components["schemas"]["Message"][];
+            /** @description How it looks; null before all is answered. */
+            preview: components["schemas"]["LogPreview"] | null;
+        };
+        /**
+         * LogReadingUpdate
+         * @description What is known of a log beside its files.
+         */
+        LogReadingUpdate: {
+            /**
+             * Cell
+             * @description Cell in which it was made: its robot is the log's; null where that is none of ours.
+             * @example lwr4_bench
+             */
+            cell?: string | null;
+            /**
+             * Answers
+             * @description Keys of the mapping (docs/import.md) with their values: answers, and what was taken wrongly.
+             * @example {
+             *       "wrench.sign": "-1"
+             *     }
+             */
+            answers?: {
+                [key: string]: string;
+            };
+        };
+        /**
+         * LogUnderstood
+         * @description What the columns of a log were taken for.
+         */
+        LogUnderstood: {
+            /**
+             * Rows Read
+             * @description Rows of the wrench in the log.
+             * @example 6200
+             */
+            rows_read: number;
+            /**
+             * Rows Kept
+             * @description Those that the recording has.
+             * @example 6180
+             */
+            rows_kept: number;
+            /**
+             * Rows Repeated
+             * @description Rows left out since they have the time of the row before.
+             * @example 0
+             */
+            rows_repeated: number;
+            /**
+             * Rows Outside
+             * @description Rows left out since no attitude is known at their times.
+             * @example 20
+             */
+            rows_outside: number;
+            /**
+             * Rate Hz
+             * @description Rate of the wrench, Hz.
+             * @example 500
+             */
+            rate_hz: number;
+            /**
+             * Lasts S
+             * @description From the first to the last row, s.
+             * @example 12.4
+             */
+            lasts_s: number;
+            /** @description The force. */
+            force: components["schemas"]["LogColumns"];
+            /** @description The torque. */
+            torque: components["schemas"]["LogColumns"];
+            /** @description The file of the wrench and its times. */
+            clock: components["schemas"]["LogClock"];
+            /**
+             * Sign
+             * @description 1: what the sensor exerts on the payload; -1: what the payload exerts on the sensor, turned round in the recording.
+             * @enum {integer}
+             */
+            sign: 1 | -1;
+            /**
+             * Axes
+             * @description Axes of the wrench in the log; in the recording they are the sensor's.
+             * @enum {string}
+             */
+            axes: "sensor" | "base";
+            /**
+             * Is Compensated
+             * @description Whether the controller has taken off the payload that it is set to.
+             * @example false
+             */
+            is_compensated: boolean;
+            /**
+             * Motion
+             * @description What the attitude of the sensor comes from.
+             * @enum {string}
+             */
+            motion: "joints" | "quaternion" | "matrix" | "rotation_vector" | "roll_pitch_yaw";
+            /** @description Columns of the joints or of the attitude. */
+            attitude: components["schemas"]["LogColumns"];
+            /**
+             * Is Inverse
+             * @description Whether they are those of the base in the sensor.
+             * @example false
+             */
+            is_inverse: boolean;
+            /** @description The file of the attitude and its times. */
+            motion_clock: components["schemas"]["LogClock"];
+            /**
+             * Motion Hz
+             * @description Its rate where it has a clock of its own, Hz.
+             * @example 100
+             */
+            motion_hz: number | null;
+            /** @description Position of the sensor in the base; null where it is not logged. */
+            position: components["schemas"]["LogColumns"] | null;
+            /**
+             * Base Frame
+             * @description Link that the joints begin with; null without joints.
+             * @example base_link
+             */
+            base_frame: string | null;
+            /**
+             * Sensor Frame
+             * @description Link in which the wrench is; null without joints.
+             * @example ft_sensor
+             */
+            sensor_frame: string | null;
+            /**
+             * Late S
+             * @description By how much the wrench is behind the attitude, s (negative: early); null with one clock, or where it cannot be told.
+             * @example 0.0021
+             */
+            late_s: number | null;
+            /**
+             * Late Std S
+             * @description Standard uncertainty of that, s.
+             * @example 0.0004
+             */
+            late_std_s: number | null;
+            /**
+             * Mass Kg
+             * @description What the payload weighs, as mass, kg; null where the poses do not tell.
+             * @example 1.31
+             */
+            mass_kg: number | null;
+            /**
+             * Mass Std Kg
+             * @description Standard uncertainty of that, kg.
+             * @example 0.02
+             */
+            mass_std_kg: number | null;
         };
         /**
          * Mesh
@@ -11103,6 +11673,54 @@ export interface components {
              */
             type: "/problems/drafts-unknown";
         });
+        /** @description imports-unknown = import "{ $log_import }": there is none of that name, or not any more: it is gone after two hours in which nobody asks for it, and when the service starts anew; begin a new one */
+        ImportsUnknownProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-unknown";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "not-found";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the import. */
+                log_import: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-unknown";
+        });
+        /** @description imports-file-unknown = file: "{ $file }" was not sent */
+        ImportsFileUnknownProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-file-unknown";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "not-found";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Name of the file. */
+                file: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-file-unknown";
+        });
         /** @description request-cell-unknown = cell: there is none called "{ $cell }". List what there is and ask again. */
         RequestCellUnknownProblem: {
             /**
@@ -12414,6 +13032,206 @@ export interface components {
              */
             type: "/problems/jobs-no-effect-yet";
         });
+        /** @description imports-too-many = imports: { $most_imports } logs are being imported already; diagnose or leave one of them */
+        ImportsTooManyProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-too-many";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description How many imports there may be. */
+                most_imports: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-too-many";
+        });
+        /** @description imports-too-many-files = import "{ $log_import }": it has { $most_files } files already; send them as one zip, or take one away */
+        ImportsTooManyFilesProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-too-many-files";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the import. */
+                log_import: string;
+                /** @description How many there may be. */
+                most_files: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-too-many-files";
+        });
+        /** @description imports-busy = import "{ $log_import }": it is being worked on; wait for the answer */
+        ImportsBusyProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-busy";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the import. */
+                log_import: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-busy";
+        });
+        /** @description imports-no-log-yet = import "{ $log_import }": no log was sent yet; send a CSV, Parquet, MCAP or bag file */
+        ImportsNoLogYetProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-no-log-yet";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the import. */
+                log_import: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-no-log-yet";
+        });
+        /** @description imports-several = import "{ $log_import }": only one of { $names } can hold; take the others away */
+        ImportsSeveralProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-several";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the import. */
+                log_import: string;
+                /** @description Names of the files. */
+                names: (string | components["schemas"]["NestedMessage"])[];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-several";
+        });
+        /** @description imports-not-read = import "{ $log_import }": it was not read yet, or a file has come or gone since; read it first */
+        ImportsNotReadProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-not-read";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the import. */
+                log_import: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-not-read";
+        });
+        /** @description imports-question-open = import "{ $log_import }": { $key } is not answered yet; answer it first */
+        ImportsQuestionOpenProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-question-open";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the import. */
+                log_import: string;
+                /** @description Name or beginning of the key. */
+                key: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-question-open";
+        });
+        /** @description imports-contradicted = import "{ $log_import }": the log contradicts itself ({ $contradiction }); change what was understood first */
+        ImportsContradictedProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-contradicted";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the import. */
+                log_import: string;
+                /** @description Why the log cannot be used like this. */
+                contradiction: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-contradicted";
+        });
         /** @description drafts-too-many = drafts: { $most_drafts } cells are being made already; finish or leave one of them */
         DraftsTooManyProblem: {
             /**
@@ -12994,6 +13812,34 @@ export interface components {
              */
             type: "/problems/drafts-work-ended";
         });
+        /** @description imports-reading-ended = import "{ $log_import }": the process that reads it ended, since it took more than { SIGNIFICANT($limit_s) } s or { SIGNIFICANT($limit_gb) } GB; send a shorter piece of the log, or fewer topics */
+        ImportsReadingEndedProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-reading-ended";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "unprocessable";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the import. */
+                log_import: string;
+                /** @description What it may be, s. */
+                limit_s: number;
+                /** @description What it may have, GB. */
+                limit_gb: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-reading-ended";
+        });
         /** @description uploads-no-zip = Content-Type: found "{ $found }", expected application/zip; send a zip of the { $what }'s folder */
         UploadsNoZipProblem: {
             /**
@@ -13267,6 +14113,56 @@ export interface components {
              */
             type: "/problems/runs-disk-too-full";
         });
+        /** @description imports-disk-too-full = disk: { FIXED($free_mb, digits: 0) } MB are free, { FIXED($needed_mb, digits: 0) } MB are needed for what may come; make room first */
+        ImportsDiskTooFullProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-disk-too-full";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "no-room";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Room on the disk, MB. */
+                free_mb: number;
+                /** @description Room that is needed, MB. */
+                needed_mb: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-disk-too-full";
+        });
+        /** @description imports-not-writable = disk: the file cannot be written ({ $reason }); make room, or let the service write there */
+        ImportsNotWritableProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-not-writable";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "no-room";
+            /** @description What the words name. */
+            parameters: {
+                /** @description What the system says. */
+                reason: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-not-writable";
+        });
         /**
          * @description uploads-outside-file =
          *         .found = a file outside the upload's folder
@@ -13324,6 +14220,274 @@ export interface components {
              * @enum {string}
              */
             type: "/problems/uploads-program";
+        });
+        /**
+         * @description uploads-not-unpackable =
+         *         .found = a zip that cannot be unpacked ({ $reason })
+         *         .expected = a plain zip of the folder of a { $what }
+         */
+        UploadsNotUnpackableProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/uploads-not-unpackable";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-input" | "bad-cell" | "bad-robot" | "bad-recording";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+                /** @description What the system says. */
+                reason: string;
+                /** @description What the zip should hold. */
+                what: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-not-unpackable";
+        });
+        /**
+         * @description uploads-too-many-files =
+         *         .found = { $files } files
+         *         .expected = at most { $most_files }
+         */
+        UploadsTooManyFilesProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/uploads-too-many-files";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-input" | "bad-cell" | "bad-robot" | "bad-recording";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+                /** @description How many files there are. */
+                files: number;
+                /** @description How many there may be. */
+                most_files: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-too-many-files";
+        });
+        /**
+         * @description uploads-two-recordings =
+         *         .found = two files of that name
+         *         .expected = one recording
+         */
+        UploadsTwoRecordingsProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/uploads-two-recordings";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-input" | "bad-recording";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-two-recordings";
+        });
+        /**
+         * @description imports-name-unusual =
+         *         .found = a name that is not one of a file
+         *         .expected = at most { $most_letters } letters without folders, not beginning with a dot
+         */
+        ImportsNameUnusualProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-name-unusual";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-input";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+                /** @description How many letters a name may have. */
+                most_letters: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-name-unusual";
+        });
+        /**
+         * @description imports-kind-unknown =
+         *         .found = a file of another kind
+         *         .expected = a name that ends in { $kinds }
+         */
+        ImportsKindUnknownProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-kind-unknown";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-input";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+                /** @description What it may be. */
+                kinds: (string | components["schemas"]["NestedMessage"])[];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-kind-unknown";
+        });
+        /**
+         * @description imports-file-empty =
+         *         .found = nothing in it
+         *         .expected = a log
+         */
+        ImportsFileEmptyProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-file-empty";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-input";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-file-empty";
+        });
+        /**
+         * @description imports-unpacks-too-large =
+         *         .found = more than { $most_bytes } bytes when unpacked
+         *         .expected = a shorter log
+         */
+        ImportsUnpacksTooLargeProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-unpacks-too-large";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-input";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+                /** @description What it may have, bytes. */
+                most_bytes: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-unpacks-too-large";
+        });
+        /**
+         * @description imports-own-recording =
+         *         .found = a recording of Heft
+         *         .expected = a log of another program; a recording needs no import: send it as one
+         */
+        ImportsOwnRecordingProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-own-recording";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-input";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-own-recording";
+        });
+        /**
+         * @description imports-no-log-inside =
+         *         .found = no log in the zip
+         *         .expected = files that end in { $kinds }
+         */
+        ImportsNoLogInsideProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-no-log-inside";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-input";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+                /** @description What it may be. */
+                kinds: (string | components["schemas"]["NestedMessage"])[];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-no-log-inside";
         });
         /**
          * @description runs-cell-without-payload =
@@ -13420,70 +14584,6 @@ export interface components {
              * @enum {string}
              */
             type: "/problems/library-mass-range";
-        });
-        /**
-         * @description uploads-not-unpackable =
-         *         .found = a zip that cannot be unpacked ({ $reason })
-         *         .expected = a plain zip of the folder of a { $what }
-         */
-        UploadsNotUnpackableProblem: {
-            /**
-             * @description Address of what describes the situation.
-             * @constant
-             */
-            type: "/problems/uploads-not-unpackable";
-            /**
-             * @description For programs that know no single situations.
-             * @enum {unknown}
-             */
-            kind: "bad-cell" | "bad-robot" | "bad-recording";
-            /** @description What the words name. */
-            parameters: {
-                /** @description The part of the request, or the file with the key in it. */
-                where: string | components["schemas"]["NestedMessage"];
-                /** @description What the system says. */
-                reason: string;
-                /** @description What the zip should hold. */
-                what: string;
-            };
-        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "/problems/uploads-not-unpackable";
-        });
-        /**
-         * @description uploads-too-many-files =
-         *         .found = { $files } files
-         *         .expected = at most { $most_files }
-         */
-        UploadsTooManyFilesProblem: {
-            /**
-             * @description Address of what describes the situation.
-             * @constant
-             */
-            type: "/problems/uploads-too-many-files";
-            /**
-             * @description For programs that know no single situations.
-             * @enum {unknown}
-             */
-            kind: "bad-cell" | "bad-robot" | "bad-recording";
-            /** @description What the words name. */
-            parameters: {
-                /** @description The part of the request, or the file with the key in it. */
-                where: string | components["schemas"]["NestedMessage"];
-                /** @description How many files there are. */
-                files: number;
-                /** @description How many there may be. */
-                most_files: number;
-            };
-        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "/problems/uploads-too-many-files";
         });
         /**
          * @description uploads-too-many-bytes =
@@ -14150,34 +15250,6 @@ export interface components {
             type: "/problems/uploads-recording-too-large";
         });
         /**
-         * @description uploads-two-recordings =
-         *         .found = two files of that name
-         *         .expected = one recording
-         */
-        UploadsTwoRecordingsProblem: {
-            /**
-             * @description Address of what describes the situation.
-             * @constant
-             */
-            type: "/problems/uploads-two-recordings";
-            /**
-             * @description For programs that know no single situations.
-             * @enum {unknown}
-             */
-            kind: "bad-recording";
-            /** @description What the words name. */
-            parameters: {
-                /** @description The part of the request, or the file with the key in it. */
-                where: string | components["schemas"]["NestedMessage"];
-            };
-        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "/problems/uploads-two-recordings";
-        });
-        /**
          * @description uploads-no-manifest =
          *         .found = no { $file }
          *         .expected = a recording folder
@@ -14350,7 +15422,7 @@ export interface components {
              */
             type: "EngineProblem";
         });
-        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["DraftsUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["AlarmsAcknowledgedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlNotAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["DraftsTooManyProblem"] | components["schemas"]["DraftsBusyProblem"] | components["schemas"]["DraftsNotReadProblem"] | components["schemas"]["DraftsNotMadeProblem"] | components["schemas"]["DraftsNoPictureProblem"] | components["schemas"]["LibraryNameTakenProblem"] | components["schemas"]["LibraryFullProblem"] | components["schemas"]["LibraryRunOfOtherCellProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["ZoneExistsProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["LibraryWithoutBoxProblem"] | components["schemas"]["DraftsFileUnknownProblem"] | components["schemas"]["DraftsWorkEndedProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["DraftsNoDescriptionProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
+        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["DraftsUnknownProblem"] | components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["ImportsFileUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["AlarmsAcknowledgedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlNotAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["ImportsTooManyProblem"] | components["schemas"]["ImportsTooManyFilesProblem"] | components["schemas"]["ImportsBusyProblem"] | components["schemas"]["ImportsNoLogYetProblem"] | components["schemas"]["ImportsSeveralProblem"] | components["schemas"]["ImportsNotReadProblem"] | components["schemas"]["ImportsQuestionOpenProblem"] | components["schemas"]["ImportsContradictedProblem"] | components["schemas"]["DraftsTooManyProblem"] | components["schemas"]["DraftsBusyProblem"] | components["schemas"]["DraftsNotReadProblem"] | components["schemas"]["DraftsNotMadeProblem"] | components["schemas"]["DraftsNoPictureProblem"] | components["schemas"]["LibraryNameTakenProblem"] | components["schemas"]["LibraryFullProblem"] | components["schemas"]["LibraryRunOfOtherCellProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["ZoneExistsProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["LibraryWithoutBoxProblem"] | components["schemas"]["DraftsFileUnknownProblem"] | components["schemas"]["DraftsWorkEndedProblem"] | components["schemas"]["ImportsReadingEndedProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["ImportsDiskTooFullProblem"] | components["schemas"]["ImportsNotWritableProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["ImportsNameUnusualProblem"] | components["schemas"]["ImportsKindUnknownProblem"] | components["schemas"]["ImportsFileEmptyProblem"] | components["schemas"]["ImportsUnpacksTooLargeProblem"] | components["schemas"]["ImportsOwnRecordingProblem"] | components["schemas"]["ImportsNoLogInsideProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["DraftsNoDescriptionProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
     };
     responses: never;
     parameters: never;
@@ -14437,6 +15509,7 @@ export type Flaw = components['schemas']['Flaw'];
 export type Friction = components['schemas']['Friction'];
 export type GapPart = components['schemas']['GapPart'];
 export type Health = components['schemas']['Health'];
+export type ImportPublic = components['schemas']['ImportPublic'];
 export type Instruction = components['schemas']['Instruction'];
 export type JobState = components['schemas']['JobState'];
 export type JobStatus = components['schemas']['JobStatus'];
@@ -14453,6 +15526,17 @@ export type Limits = components['schemas']['Limits'];
 export type LinkOutline = components['schemas']['LinkOutline'];
 export type LinkPublic = components['schemas']['LinkPublic'];
 export type LiveBatch = components['schemas']['LiveBatch'];
+export type LogChange = components['schemas']['LogChange'];
+export type LogClock = components['schemas']['LogClock'];
+export type LogColumns = components['schemas']['LogColumns'];
+export type LogDiagnosisCreate = components['schemas']['LogDiagnosisCreate'];
+export type LogFilePublic = components['schemas']['LogFilePublic'];
+export type LogLine = components['schemas']['LogLine'];
+export type LogPreview = components['schemas']['LogPreview'];
+export type LogQuestion = components['schemas']['LogQuestion'];
+export type LogReading = components['schemas']['LogReading'];
+export type LogReadingUpdate = components['schemas']['LogReadingUpdate'];
+export type LogUnderstood = components['schemas']['LogUnderstood'];
 export type Mesh = components['schemas']['Mesh'];
 export type Message = components['schemas']['Message'];
 export type Minor = components['schemas']['Minor'];
@@ -14597,6 +15681,8 @@ export type JobsEffectNotInTwinProblem = components['schemas']['JobsEffectNotInT
 export type ZoneUnknownProblem = components['schemas']['ZoneUnknownProblem'];
 export type LibraryUnknownProblem = components['schemas']['LibraryUnknownProblem'];
 export type DraftsUnknownProblem = components['schemas']['DraftsUnknownProblem'];
+export type ImportsUnknownProblem = components['schemas']['ImportsUnknownProblem'];
+export type ImportsFileUnknownProblem = components['schemas']['ImportsFileUnknownProblem'];
 export type RequestCellUnknownProblem = components['schemas']['RequestCellUnknownProblem'];
 export type RequestProblemUnknownProblem = components['schemas']['RequestProblemUnknownProblem'];
 export type RequestConsoleFileUnknownProblem = components['schemas']['RequestConsoleFileUnknownProblem'];
@@ -14648,6 +15734,14 @@ export type JobsMotionNotPlannedProblem = components['schemas']['JobsMotionNotPl
 export type JobsRobotChangedProblem = components['schemas']['JobsRobotChangedProblem'];
 export type JobsGravityChangedProblem = components['schemas']['JobsGravityChangedProblem'];
 export type JobsNoEffectYetProblem = components['schemas']['JobsNoEffectYetProblem'];
+export type ImportsTooManyProblem = components['schemas']['ImportsTooManyProblem'];
+export type ImportsTooManyFilesProblem = components['schemas']['ImportsTooManyFilesProblem'];
+export type ImportsBusyProblem = components['schemas']['ImportsBusyProblem'];
+export type ImportsNoLogYetProblem = components['schemas']['ImportsNoLogYetProblem'];
+export type ImportsSeveralProblem = components['schemas']['ImportsSeveralProblem'];
+export type ImportsNotReadProblem = components['schemas']['ImportsNotReadProblem'];
+export type ImportsQuestionOpenProblem = components['schemas']['ImportsQuestionOpenProblem'];
+export type ImportsContradictedProblem = components['schemas']['ImportsContradictedProblem'];
 export type DraftsTooManyProblem = components['schemas']['DraftsTooManyProblem'];
 export type DraftsBusyProblem = components['schemas']['DraftsBusyProblem'];
 export type DraftsNotReadProblem = components['schemas']['DraftsNotReadProblem'];
@@ -14671,6 +15765,7 @@ export type ZoneNotLookedAtProblem = components['schemas']['ZoneNotLookedAtProbl
 export type LibraryWithoutBoxProblem = components['schemas']['LibraryWithoutBoxProblem'];
 export type DraftsFileUnknownProblem = components['schemas']['DraftsFileUnknownProblem'];
 export type DraftsWorkEndedProblem = components['schemas']['DraftsWorkEndedProblem'];
+export type ImportsReadingEndedProblem = components['schemas']['ImportsReadingEndedProblem'];
 export type UploadsNoZipProblem = components['schemas']['UploadsNoZipProblem'];
 export type UploadsOtherCellProblem = components['schemas']['UploadsOtherCellProblem'];
 export type UploadsCheckerEndedProblem = components['schemas']['UploadsCheckerEndedProblem'];
@@ -14683,13 +15778,22 @@ export type StoreReleaseNotTakenProblem = components['schemas']['StoreReleaseNot
 export type StoreResumeWaitsProblem = components['schemas']['StoreResumeWaitsProblem'];
 export type StoreResultNotThereProblem = components['schemas']['StoreResultNotThereProblem'];
 export type RunsDiskTooFullProblem = components['schemas']['RunsDiskTooFullProblem'];
+export type ImportsDiskTooFullProblem = components['schemas']['ImportsDiskTooFullProblem'];
+export type ImportsNotWritableProblem = components['schemas']['ImportsNotWritableProblem'];
 export type UploadsOutsideFileProblem = components['schemas']['UploadsOutsideFileProblem'];
 export type UploadsProgramProblem = components['schemas']['UploadsProgramProblem'];
+export type UploadsNotUnpackableProblem = components['schemas']['UploadsNotUnpackableProblem'];
+export type UploadsTooManyFilesProblem = components['schemas']['UploadsTooManyFilesProblem'];
+export type UploadsTwoRecordingsProblem = components['schemas']['UploadsTwoRecordingsProblem'];
+export type ImportsNameUnusualProblem = components['schemas']['ImportsNameUnusualProblem'];
+export type ImportsKindUnknownProblem = components['schemas']['ImportsKindUnknownProblem'];
+export type ImportsFileEmptyProblem = components['schemas']['ImportsFileEmptyProblem'];
+export type ImportsUnpacksTooLargeProblem = components['schemas']['ImportsUnpacksTooLargeProblem'];
+export type ImportsOwnRecordingProblem = components['schemas']['ImportsOwnRecordingProblem'];
+export type ImportsNoLogInsideProblem = components['schemas']['ImportsNoLogInsideProblem'];
 export type RunsCellWithoutPayloadProblem = components['schemas']['RunsCellWithoutPayloadProblem'];
 export type RunsPayloadUnknownProblem = components['schemas']['RunsPayloadUnknownProblem'];
 export type LibraryMassRangeProblem = components['schemas']['LibraryMassRangeProblem'];
-export type UploadsNotUnpackableProblem = components['schemas']['UploadsNotUnpackableProblem'];
-export type UploadsTooManyFilesProblem = components['schemas']['UploadsTooManyFilesProblem'];
 export type UploadsTooManyBytesProblem = components['schemas']['UploadsTooManyBytesProblem'];
 export type UploadsLongerThanListedProblem = components['schemas']['UploadsLongerThanListedProblem'];
 export type UploadsSymbolicLinkProblem = components['schemas']['UploadsSymbolicLinkProblem'];
@@ -14712,7 +15816,6 @@ export type ZoneTooFarProblem = components['schemas']['ZoneTooFarProblem'];
 export type UploadsModelNotBuildableProblem = components['schemas']['UploadsModelNotBuildableProblem'];
 export type DraftsNoDescriptionProblem = components['schemas']['DraftsNoDescriptionProblem'];
 export type UploadsRecordingTooLargeProblem = components['schemas']['UploadsRecordingTooLargeProblem'];
-export type UploadsTwoRecordingsProblem = components['schemas']['UploadsTwoRecordingsProblem'];
 export type UploadsNoManifestProblem = components['schemas']['UploadsNoManifestProblem'];
 export type RequestUnfitProblem = components['schemas']['RequestUnfitProblem'];
 export type RequestNoJsonProblem = components['schemas']['RequestNoJsonProblem'];
@@ -21522,6 +22625,819 @@ export interface operations {
                 };
                 content: {
                     "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    begin_import: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ImportPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsTooManyProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_log_import: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the import of a log. */
+                log_import: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ImportPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_import: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the import of a log. */
+                log_import: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsBusyProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    send_log_file: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a file of the log. */
+                file: string;
+                /** @description Identifier of the import of a log. */
+                log_import: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/zip": string;
+                "application/octet-stream": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ImportPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsBusyProblem"] | components["schemas"]["ImportsTooManyFilesProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsNameUnusualProblem"] | components["schemas"]["ImportsKindUnknownProblem"] | components["schemas"]["ImportsFileEmptyProblem"] | components["schemas"]["ImportsUnpacksTooLargeProblem"] | components["schemas"]["ImportsOwnRecordingProblem"] | components["schemas"]["ImportsNoLogInsideProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsDiskTooFullProblem"] | components["schemas"]["ImportsNotWritableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_log_file: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a file of the log. */
+                file: string;
+                /** @description Identifier of the import of a log. */
+                log_import: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ImportPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["ImportsFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsBusyProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_log_anew: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the import of a log. */
+                log_import: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["LogReadingUpdate"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ImportPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsBusyProblem"] | components["schemas"]["ImportsNoLogYetProblem"] | components["schemas"]["ImportsSeveralProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsReadingEndedProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    download_mapping: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the import of a log. */
+                log_import: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": string;
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsNotReadProblem"] | components["schemas"]["ImportsQuestionOpenProblem"] | components["schemas"]["ImportsContradictedProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    download_imported_recording: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the import of a log. */
+                log_import: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/zip": string;
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsNotReadProblem"] | components["schemas"]["ImportsQuestionOpenProblem"] | components["schemas"]["ImportsContradictedProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    diagnose_import: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the import of a log. */
+                log_import: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["LogDiagnosisCreate"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DiagnosisPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsNotReadProblem"] | components["schemas"]["ImportsQuestionOpenProblem"] | components["schemas"]["ImportsContradictedProblem"] | components["schemas"]["ImportsBusyProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
                 };
             };
             /** @description Service Unavailable */

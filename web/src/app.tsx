@@ -25,6 +25,10 @@ const gapScreen = screenLater(async () => {
   await fetchLaterMessages();
   return (await import('./gap/gap-page')).gapScreen;
 });
+const importScreen = screenLater(async () => {
+  await fetchLaterMessages();
+  return (await import('./imports/import-page')).importScreen;
+});
 const manualScreen = screenLater(async () => (await import('./help/manual-page')).manualScreen);
 const newCellScreen = screenLater(async () => {
   await fetchLaterMessages();
@@ -45,6 +49,7 @@ const SCREENS = new Map<string, () => Screen>([
   ['', () => setup],
   ['runs', runScreen],
   ['gap', gapScreen],
+  ['import', importScreen],
   ['trials', trialsScreen],
   ['history', historyScreen],
   ['series', seriesScreen],

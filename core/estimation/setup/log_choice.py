@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping as Answers
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 from core.estimation.setup.check import SetUp, check_setup
 from core.recording.logs.conversion import Conversion
-from core.recording.logs.mapping import Mapping
+from core.recording.logs.mapping import Mapping, change_mapping, read_mapping
+from core.recording.logs.proposal import propose_mappings
 from core.recording.logs.question import OpenQuestion
 from core.recording.logs.tables import Log
 from core.recording.recording import Recording
@@ -33,6 +35,22 @@ class ImportedLog(NamedTuple):
         return self.conversion.mapping
 
 
+def read_log(log: Log, mapping: Path | None, answers: Answers[str, str]) -> ImportedLog:
+    """The log as a mapping has it, or as its names and samples speak.
+
+    Args:
+        mapping: the file of somebody's mapping, its URDF beside it; None where there is none.
+        answers: keys of the mapping that somebody has given.
+
+    Raises:
+        OpenQuestion: one more has to be given.
+        BadInput: the mapping or an answer cannot be used.
+        BadRecording: something in the log cannot be used.
+    """
+    mappings = propose_mappings(log, answers) if mapping is None else [change_mapping(read_mapping(mapping), answers)]
+    return import_log(log, mappings, Path() if mapping is None else mapping.parent)
+
+
 def import_log(log: Log, mappings: Sequence[Mapping], beside: Path) -> ImportedLog:
     """The log under the mapping with which it fits best and the payload weighs more than nothing.
 
@@ -54,7 +72,7 @@ def import_log(log: Log, mappings: Sequence[Mapping], beside: Path) -> ImportedL
     for key, reason in OPEN_KEYS.items():
         choices = list(dict.fromkeys(str(getattr(each.mapping.wrench, key)) for each in alike))
         if len(choices) > 1:
-            raise OpenQuestion(log.where, f"wrench.{key}", choices, reason)
+            raise OpenQuestion(log.where, f"wrench.{key}", choices, reason, str(getattr(best.mapping.wrench, key)))
     return best
 
 

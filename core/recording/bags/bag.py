@@ -32,7 +32,7 @@ class Bag:
 
 def is_bag(path: Path) -> bool:
     """Whether it is a file of a bag, or the folder of one."""
-    return (path / "metadata.yaml").is_file() if path.is_dir() else path.name.endswith(BAGS)
+    return (path / "metadata.yaml").is_file() if path.is_dir() else path.name.lower().endswith(BAGS)
 
 
 def read_bag(path: Path) -> Bag:
@@ -61,7 +61,7 @@ def read_bag(path: Path) -> Bag:
 
 
 def _read_batches(path: Path) -> Iterator[MessageBatch]:
-    if path.suffix == ".mcap":
+    if path.suffix.lower() == ".mcap":
         yield from McapFile(path).batches()
         return
     parts = sorted(path.glob("*.mcap"), key=_natural) if path.is_dir() else []

@@ -30,7 +30,7 @@ def read_with_rosbags(path: Path) -> Iterator[MessageBatch]:
     where = str(path)
     try:
         store = get_typestore(Stores.ROS2_HUMBLE)
-        if path.name.endswith(".bag"):  # its headers count themselves, which those of ROS 2 do not, and the conversion leaves out
+        if path.name.lower().endswith(".bag"):  # its headers count themselves, which those of ROS 2 do not, and the conversion leaves out
             with Ros1Reader(path) as bag:
                 yield from _gather(bag, store.fielddefs, lambda content, kind: bytes(store.ros1_to_cdr(content, kind)))
         else:

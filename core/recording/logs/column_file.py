@@ -32,7 +32,7 @@ def read_column_file(file: Path, where: str) -> Samples:
     Raises:
         BadRecording: it cannot be read, with the reason.
     """
-    if file.name.endswith("parquet"):
+    if file.name.lower().endswith("parquet"):
         return SamplesFile(file, where).read()
     head = _read_head(file, where)
     if head[0].partition(",")[0].strip('" ') == ATI_LINES[0]:

@@ -64,6 +64,11 @@ class WrenchPart(LogPart):
     sign: Literal[1, -1] = 1
     axes: Literal["sensor", "base"] = "sensor"
 
+    @property
+    def is_compensated(self) -> bool:
+        """Whether it is UR's, from which the controller has taken off the payload that it is set to."""
+        return all(name.casefold().startswith("actual_tcp_force") for name in self.force)
+
 
 class PosePart(LogPart):
     """Sensor axes in the base frame, in one of four ways.

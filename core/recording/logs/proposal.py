@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from core.cell.urdf import check_urdf
+from core.cell.urdf_elements import UrdfJoint
 from core.errors import BadRecording
 from core.recording.logs.column_name import bare_name, unit_of
 from core.recording.logs.mapping import ANGLE_UNITS, FORCE_UNITS, LENGTH_UNITS, TIME_UNITS, TORQUE_UNITS, Mapping, change_mapping
@@ -37,6 +38,10 @@ NUMBERED = (r"actual_q_{}", r"q_?{}", r"(joint|j|a)_?{}", r"(.*[_.])?(joint|posi
 TIME = re.compile(r"(.*[_.])?(t|time|timestamp|stamp|secs?|seconds)([_ ]?(s|ms|us|ns))?", re.IGNORECASE)
 RATES_HZ = (5.0, 20_000.0)
 """Of a log of motion: the unit of time is the one that gives such a rate."""
+TURNS_RAD = 8.0 * np.pi
+"""More than a joint without limits is turned in a log."""
+BEYOND_RAD = 0.5
+"""By so much no joint is beyond its limits."""
 MOST_POSES = 500
 """Rows of a list of averaged poses, which needs no time."""
 
@@ -100,7 +105,8 @@ def _propose_motion(log: Log, wrench: Described, answers: Answers[str, str], urd
 
 def _find_joints(log: Log, answers: Answers[str, str], robot: str) -> tuple[Described, dict[str, Any]] | None:
     """Columns of joints: those that bear the names of the robot's, else numbered ones, as many as move."""
-    moving = [joint.name for joint in check_urdf(robot, log.where).joints if joint.kind != "fixed"]
+    joints = [joint for joint in check_urdf(robot, log.where).joints if joint.kind != "fixed"]
+    moving = [joint.name for joint in joints]
     for name, table in _tables(log, answers.get("joints.file")):
         named = [match[1] for column in table.columns if (match := JOINT.fullmatch(column)) and match[1] in moving]
         if len(named) > 1:
@@ -110,9 +116,16 @@ def _find_joints(log: Log, answers: Answers[str, str], robot: str) -> tuple[Desc
         for first in (0, 1):
             columns = _match(table, NUMBERED, tuple(str(k + first) for k in range(len(moving))))
             if columns is not None:
-                unit = _units(columns, "angle_unit", ANGLE_UNITS)
+                unit = _units(columns, "angle_unit", ANGLE_UNITS) or _guess_angle_unit(table, columns, joints)
                 return Described(name, table, columns), {"names": moving, "position": columns, **unit}
     return None
+
+
+def _guess_angle_unit(table: LogTable, columns: Sequence[str], joints: Sequence[UrdfJoint]) -> dict[str, str]:
+    """Degrees, where a joint would be far beyond its limits in rad."""
+    largest = np.abs(table.numbers(*columns, rows=slice(0, 100_000))).max(axis=0)
+    limits = [TURNS_RAD if each.kind == "continuous" else max(abs(each.lower or 0.0), abs(each.upper or 0.0)) for each in joints]
+    return {"angle_unit": "deg"} if (largest > np.array(limits) + BEYOND_RAD).any() else {}
 
 
 PREFIXES = {"position": "position", "velocity": "velocity", "torque": "effort"}
@@ -125,7 +138,7 @@ def _frames(log: Log, robot: str, frame: str | None, answers: Answers[str, str])
     sensor = answers.get("joints.sensor_frame") or (frame or "").lstrip("/")
     if sensor not in urdf.links:
         tips = [link for link in urdf.links if link in children][::-1]
-        raise OpenQuestion(log.where, "joints.sensor_frame", tips[:12], "import-why-sensor-frame")
+        raise OpenQuestion(log.where, "joints.sensor_frame", tips[:12], "import-why-sensor-frame", next(iter(tips), None))
     base = answers.get("joints.base_frame") or next(link for link in urdf.links if link not in children)
     return {"base_frame": base, "sensor_frame": sensor}
 

@@ -16,8 +16,9 @@ class OpenQuestion(BadRecording):
         key: such as `wrench.file`.
         choices: values that it may have.
         reason: code of what it means, without parameters.
+        likely: the choice that most speaks for; None where nothing speaks for any.
     """
 
-    def __init__(self, where: str, key: str, choices: Sequence[str], reason: str) -> None:
-        self.key, self.choices, self.reason = key, tuple(choices), Message.of(reason)
+    def __init__(self, where: str, key: str, choices: Sequence[str], reason: str, likely: str | None = None) -> None:
+        self.key, self.choices, self.reason, self.likely = key, tuple(choices), Message.of(reason), likely
         super().__init__(where, "import-question", key=key, choices=[f"--set '{key}={choice}'" for choice in choices], reason=self.reason)

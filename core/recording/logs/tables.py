@@ -100,6 +100,11 @@ class Log:
         return None if root is None else compose_transforms(transforms, frame, f"{self.where}: {POSE_OF}{root}>{frame}")
 
 
+def is_log(name: str) -> bool:
+    """Whether a file of that name may be a log."""
+    return name.lower().endswith(KINDS)
+
+
 def open_log(paths: Sequence[Path]) -> Log:
     """The tables of files and bags; of a folder that is no bag itself, those of the files in it.
 
@@ -129,11 +134,11 @@ def _list_files(paths: Iterable[Path]) -> Iterable[Path]:
         if not path.exists():
             raise BadInput(str(path), "import-no-log")
         if path.is_dir() and not is_bag(path):
-            inside = sorted(each for each in path.iterdir() if each.name.endswith(KINDS) or (each.is_dir() and is_bag(each)))
+            inside = sorted(each for each in path.iterdir() if is_log(each.name) or (each.is_dir() and is_bag(each)))
             if not inside:
                 raise BadInput(str(path), "import-no-files", kinds=KINDS)
             yield from inside
-        elif path.is_dir() or path.name.endswith(KINDS):
+        elif path.is_dir() or is_log(path.name):
             yield path
         else:
             raise BadInput(str(path), "import-no-files", kinds=KINDS)

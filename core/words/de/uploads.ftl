@@ -6,6 +6,7 @@ uploads-file = hochgeladene Datei: „{ $name }“
 uploads-no-zip = Content-Type: gefunden: „{ $found }“, erwartet: application/zip; senden Sie eine ZIP-Datei des Ordners { $what ->
         [cell] der Zelle
         [robot] des Roboters
+        [log] des Logs
        *[recording] der Aufzeichnung
     }
 uploads-not-unpackable =
@@ -13,6 +14,7 @@ uploads-not-unpackable =
     .expected = eine einfache ZIP-Datei des Ordners { $what ->
         [cell] einer Zelle
         [robot] eines Roboters
+        [log] eines Logs
        *[recording] einer Aufzeichnung
     }
 uploads-too-many-files =

@@ -24,6 +24,7 @@ LEFT_OUT = {
     "POST /api/runs": "each makes a process that plans",
     "POST /api/diagnoses/uploads": "takes a zip; tests/server/jobs/test_diagnosis_routes.py",
     "POST /api/trials": "each runs for a quarter of a minute",
+    "PUT /api/imports/{log_import}/files/{file}": "takes a file; tests/server/imports/test_routes.py",
     "POST /api/drafts": "takes a robot's description or a zip; tests/server/cells/test_draft_routes.py",
     "POST /api/cells": "takes a zip; tests/server/cells/test_uploads.py",
     "POST /api/cells/validate": "the same",

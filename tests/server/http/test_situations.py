@@ -26,7 +26,7 @@ ERRORS = {
     for name, kind in vars(module).items()
     if isinstance(kind, type) and kind in KINDS and not issubclass(kind, Stopped)
 }
-OWN = re.compile(r"^(runs|people|jobs|store|request|zone|uploads|serve)-[a-z-]+$")
+OWN = re.compile(r"^(runs|people|jobs|store|request|zone|uploads|serve|imports)-[a-z-]+$")
 AT_START = {"BadInput"}
 """What is raised as such where the service starts, its audit log is verified or a process is confined: no request meets it."""
 

@@ -25,6 +25,15 @@ function Gap() {
       <h1>{said.title}</h1>
       <div>
         <Runs />
+        <section>
+          <h2>{said.ofLog}</h2>
+          <p class="hint">{said.ofLogHint}</p>
+          <p>
+            <a class="download" href={to('import')}>
+              {said.importLog}
+            </a>
+          </p>
+        </section>
         <RecordingUpload />
       </div>
       <div>

@@ -52,5 +52,6 @@ export const topic = computed<Topic>(() => {
   if (!session.value) return 'signIn';
   if (page === 'runs') return (run.value && OF_STATES[run.value.state]) ?? 'running';
   if (page === 'series') return 'history';
+  if (page === 'import') return 'gap';
   return OF_PAGES.has(page) ? (page as Topic) : 'setup';
 });

@@ -100,11 +100,52 @@ function entries(of: object = {}): [string, string][] {
   );
 }
 
+/**
+ * Sends a file in place of a body, and tells what share of it is on its way; takes as long as it takes.
+ *
+ * @throws Refusal: the service says no; TypeError: it cannot be reached.
+ */
+export async function send<E extends Endpoint>(
+  endpoint: E,
+  { path }: Pick<Asked<Operation<E>>, 'path'>,
+  file: Blob,
+  tell: (share: number) => void,
+): Promise<Good<Operation<E>>> {
+  const [method = 'PUT', template = ''] = endpoint.split(' ');
+  const response = await new Promise<Response>((resolve, reject) => {
+    const request = new XMLHttpRequest(); // fetch does not tell how much has gone
+    request.open(method, addressOf(template, path));
+    request.setRequestHeader('X-CSRF-Token', csrfToken.value ?? '');
+    request.setRequestHeader('Content-Type', PLAIN_FILE);
+    request.upload.onprogress = ({ loaded, total }) => tell(total > 0 ? loaded / total : 0);
+    request.onload = () => resolve(answerOf(request));
+    request.onerror = () => {
+      unheard();
+      reject(new TypeError('the service cannot be reached'));
+    };
+    request.send(file);
+  });
+  return (await judged(response)).json() as Promise<Good<Operation<E>>>;
+}
+
+function answerOf(request: XMLHttpRequest): Response {
+  const headers = new Headers();
+  for (const name of ['Content-Type', 'Date', 'X-Request-Id'])
+    headers.set(name, request.getResponseHeader(name) ?? '');
+  const { status, statusText } = request;
+  return new Response(request.responseText, { status, statusText, headers });
+}
+
 async function reached(address: string, request: RequestInit): Promise<Response> {
   const response = await fetch(address, request).catch((error) => {
     if (error instanceof TypeError) unheard();
     throw error;
   });
+  return judged(response);
+}
+
+/** An answer that is none is thrown. */
+async function judged(response: Response): Promise<Response> {
   heard(response);
   if (response.ok) return response;
   if (response.status === 401) session.value = null;

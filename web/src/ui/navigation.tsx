@@ -9,6 +9,7 @@ export function Navigation() {
   const active = activeRun.value;
   const work = active === null ? to() : to('runs', active.run);
   const here = route.value[0] ?? 'runs';
+  const ofGap = here === 'gap' || here === 'import' || here === 'trials';
   return (
     <nav class="navigation" aria-label={said.label}>
       <a href={work} aria-current={here === 'runs' ? 'page' : undefined}>
@@ -17,7 +18,7 @@ export function Navigation() {
       <a href={to('orders')} aria-current={here === 'orders' ? 'page' : undefined}>
         {words.value.orders.nav}
       </a>
-      <a href={to('gap')} aria-current={here === 'gap' || here === 'trials' ? 'page' : undefined}>
+      <a href={to('gap')} aria-current={ofGap ? 'page' : undefined}>
         {words.value.gap.nav}
       </a>
       <a href={to('history')} aria-current={here === 'history' || here === 'series' ? 'page' : undefined}>

@@ -7,8 +7,8 @@ export { en as own } from './en';
 export const messages = import.meta.glob<string>(
   [
     '../../../core/words/en/*.ftl',
-    '!../../../core/words/*/{advice,description,drafts,gap,instruction,library,mesh,newcell,sensors,setup,symptom,torques,trial,xarm}.ftl',
-    '!../../../core/words/*/{bag,certificate,cli,import,record,report,result,sheet}.ftl',
+    '!../../../core/words/*/{advice,bag,description,drafts,gap,import,imports,instruction,library,mesh,newcell,sensors,setup,symptom,torques,trial,xarm}.ftl',
+    '!../../../core/words/*/{certificate,cli,record,report,result,sheet}.ftl',
   ],
   { query: '?raw', import: 'default', eager: true },
 );

@@ -1,0 +1,49 @@
+"""Servers to try a driver with, as the command starts them."""
+
+from __future__ import annotations
+
+import socket
+import struct
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from core.array import Array
+from core.cli import fake
+from core.cli.main import app
+from core.fakes.ati_server import AtiServer
+from tests.synthetic import payload
+
+
+def first_force(monkeypatch: pytest.MonkeyPatch, carried: str) -> Array:
+    """(3,), N, of the first record that the box sends; the command ends then."""
+    boxes: list[AtiServer] = []
+    read: list[Array] = []
+
+    def box(*given: Any, setup: Any, rdt_port: int, http_port: int) -> AtiServer:
+        assert (rdt_port, http_port) == (49152, 8049)
+        boxes.append(AtiServer(*given, setup=setup))  # on ports that are free
+        return boxes[0]
+
+    def ask(_: float) -> None:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
+            client.settimeout(30.0)
+            client.sendto(bytes.fromhex("1234 0002 00000001"), ("127.0.0.1", boxes[0].rdt_port))
+            read.append(np.array(struct.unpack("!6i", client.recv(100)[12:])[:3]) / boxes[0].setup.per_force)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(fake, "AtiServer", box)
+    monkeypatch.setattr(fake, "time", SimpleNamespace(sleep=ask))
+    said = CliRunner().invoke(app, ["fake", "ati", "lwr4_bench", "--payload", carried])
+    assert said.exit_code == 0, said.output
+    return read[0]
+
+
+def test_a_box_alone_reports_the_weight_that_its_sensor_holds(monkeypatch: pytest.MonkeyPatch) -> None:
+    block, cylinder = (first_force(monkeypatch, name) for name in ("steel_block", "cylinder"))
+    between = abs(payload("steel_block").phi[0] - payload("cylinder").phi[0]) * 9.81
+    assert between > 0.5
+    assert np.linalg.norm(block - cylinder) == pytest.approx(between, abs=0.3)  # the offset is the same, the noise is not

@@ -1,0 +1,119 @@
+"""A log of another program on the console: from its files to a diagnosis, with what was understood, asked and changed on the way."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from tests.core.recording.logs.foreign_logs import LOG, write_ati, write_columns, write_csv, write_undecided
+from tests.core.recording.logs.payload_log import MASS_KG
+from tests.server.real_service import RealService, wait_for
+from tests.web.judgement import check_looks, check_nothing_is_cut_off
+from tests.web.looks import glimpse, look
+from tests.web.screens import show, signed_in
+from tests.web.tablet import PATIENCE_MS, Tablet
+
+REFUSED = "422 (Unprocessable"
+"""What the browser says of a log that cannot be read."""
+
+
+@pytest.fixture
+def at(service: RealService, browser: Browser) -> Iterator[Tablet]:
+    with signed_in(service, browser) as found:
+        show(found, "gap")
+        found.tap(found.page.get_by_role("link", name="Import a log"))
+        found.wait(".import .drop-place")
+        yield found
+        assert [said for said in found.complaints if REFUSED not in said] == []
+
+
+def choose(page: Page, *files: Path) -> None:
+    page.get_by_label("Choose files").set_input_files(files)
+
+
+def row(page: Page, name: str) -> str:
+    """What the table of what was understood says."""
+    return page.locator(".understood tr", has=page.get_by_role("rowheader", name=name, exact=True)).locator("td").inner_text()
+
+
+def test_from_two_files_with_two_clocks_to_a_diagnosis(at: Tablet, service: RealService, tmp_path: Path) -> None:
+    page = at.page
+    check_looks(look(page, "a log before it is chosen"))
+    choose(page, *write_ati(tmp_path))
+    expect(page.get_by_text("Nothing speaks against it.")).to_be_visible(timeout=PATIENCE_MS)
+    assert "fx fy fz [N]" in row(page, "Force")
+    assert "ati.csv" in row(page, "Torque")
+    assert row(page, "Sign") == "What the sensor exerts on the payload"
+    found = re.match(r"([\d.]+) ± ([\d.]+) kg", row(page, "Payload"))
+    assert found is not None
+    assert abs(float(found[1]) - MASS_KG) < float(found[2])
+    expect(page.locator(".log-look canvas")).to_have_count(3)
+    with page.expect_download() as saved:
+        at.tap(page.get_by_role("link", name="map.toml"))
+    assert 'file = "ati.csv"' in Path(saved.value.path()).read_text()
+    at.tap(page.locator(".changes summary"))
+    check_looks(look(page, "what was understood of a log"))
+    page.get_by_label("Name", exact=True).fill("Cell 4, ATI")
+    at.press("Diagnose")
+    expect(page).to_have_url(re.compile(r"#/gap/\w+$"))
+    expect(page.get_by_role("heading", name="Cell 4, ATI").or_(page.locator(".gap-verdict"))).to_be_visible(timeout=2 * PATIENCE_MS)
+    wait_for(lambda: list((service.data / "imports").iterdir()) == [], "the import to be gone")
+
+
+def test_what_cannot_be_told_is_asked_with_the_likely_answer_chosen(at: Tablet, tmp_path: Path) -> None:
+    page = at.page
+    choose(page, write_undecided(tmp_path))
+    question = page.locator(".question")
+    expect(question).to_contain_text("In which axes is the wrench?", timeout=PATIENCE_MS)
+    expect(question.get_by_role("radio", name="Those of the sensor")).to_be_checked()
+    check_looks(look(page, "a question about a log"))
+    at.press("Answer")
+    expect(question).to_contain_text("What does the wrench say?", timeout=PATIENCE_MS)
+    question.get_by_role("radio", name="What the payload exerts on the sensor").check(force=True)
+    at.press("Answer")
+    expect(page.locator(".understood")).to_contain_text("Turned round in the recording", timeout=PATIENCE_MS)
+    at.press("Discard")
+    at.press("Discard it")
+    expect(page.locator(".understood")).to_have_count(0)
+
+
+def test_a_log_that_contradicts_itself_says_how_and_is_mended_by_a_choice(at: Tablet, tmp_path: Path) -> None:
+    page = at.page
+    columns = {"t": LOG.t, **dict(zip(("fx", "fy", "fz"), LOG.wrench[:, :3].T, strict=True))}
+    columns |= dict(zip(("tx", "ty", "tz"), 1e3 * LOG.wrench[:, 3:].T, strict=True))
+    columns |= {f"r{i + 1}{j + 1}": LOG.orientation[:, i, j] for i in range(3) for j in range(3)}
+    columns |= dict(zip(("px", "py", "pz"), LOG.position.T, strict=True))
+    choose(page, write_columns(tmp_path / "log in N mm.csv", columns))
+    expect(page.locator(".warnings")).to_contain_text("N mm", timeout=PATIENCE_MS)
+    expect(page.get_by_role("button", name="Diagnose", exact=True)).to_be_disabled()
+    check_looks(look(page, "a log that contradicts itself"))
+    page.get_by_label("Unit of the torque").select_option("N mm")
+    expect(page.get_by_text("Nothing speaks against it.")).to_be_visible(timeout=PATIENCE_MS)
+    expect(page.get_by_role("button", name="Diagnose", exact=True)).to_be_enabled()
+
+
+def test_a_broken_file_is_refused_in_a_sentence_and_taken_away(at: Tablet, tmp_path: Path) -> None:
+    page = at.page
+    (tmp_path / "log.mcap").write_bytes(b"\x89MCAP0\r\n\x01\xff")
+    choose(page, tmp_path / "log.mcap")
+    expect(page.get_by_role("alert")).to_contain_text("log.mcap", timeout=PATIENCE_MS)
+    at.press("Remove log.mcap")
+    expect(page.get_by_role("alert")).to_have_count(0)
+    expect(page.locator(".sent-files")).to_have_count(0)
+
+
+def test_it_is_all_said_in_german_and_longer_words_have_their_place(at: Tablet, tmp_path: Path) -> None:
+    page = at.page
+    for query, heading in (("?language=de", "Log eines anderen Programms"), ("?words=longer", "Log")):
+        page.goto(f"http://{at.service.address}/{query}#/import")
+        expect(page.get_by_role("heading", level=1)).to_contain_text(heading)
+        page.locator("input[type=file]").set_input_files([write_csv(tmp_path)])
+        page.wait_for_selector(".understood", timeout=PATIENCE_MS)
+        check_nothing_is_cut_off(glimpse(page, f"what was understood of a log, {query}"))
+        page.locator(".discard button").tap()
+        page.locator(".discard .ask-first button").first.tap()
+        expect(page.locator(".understood")).to_have_count(0)
