@@ -61,7 +61,7 @@ def serve_ur(
     server = UrServer(arm, host, patience_s=patience)
     with _tell_no_address(host, UR_PORTS), server, _make_box(lambda: arm.samples[-1].wrench, loaded) if ati else nullcontext():
         if ati:
-            _tell_ports("cli-fake-serves-ati")
+            messages.print(find_wording().say("cli-fake-serves-ati", rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)
         _serve(server, arm, arm.model, arm.serial)
 
 
@@ -116,7 +116,7 @@ def serve_ati(cell: CellArgument, payload: PayloadOption = None, seed: SeedOptio
     _, carried = choose_payload(loaded, payload)
     robot = VirtualRobot(loaded, carried.parameters, np.random.default_rng(seed))
     with _tell_no_address("127.0.0.1", f"{RDT_PORT}, {PAGES_PORT}"), _make_box(lambda: robot.step(robot.home).wrench, loaded):
-        _tell_ports("cli-fake-serves-ati-alone")
+        messages.print(find_wording().say("cli-fake-serves-ati-alone", rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)
         with suppress(KeyboardInterrupt):
             while True:
                 time.sleep(1.0)
@@ -126,7 +126,3 @@ def _make_box(wrench: Callable[[], Array], cell: Cell) -> AtiServer:
     """A box that reports what acts on the sensor; `wrench` is what the sensor exerts, (6,)."""
     ranges = ";".join(f"{value:g}" for value in cell.sensor.range)
     return AtiServer(lambda _: (-wrench()).tolist(), setup=Setup(ranges=ranges), rdt_port=RDT_PORT, http_port=PAGES_PORT)
-
-
-def _tell_ports(code: str) -> None:
-    messages.print(find_wording().say(code, rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)

@@ -231,7 +231,7 @@ def damaged() -> dict[str, tuple[str, bytes, str]]:
         "no bag": ("log.bag", b"#ROSBAG V2.0\n\xff\xff", "bag-broken"),
         "no database": ("log.db3", b"SQLite format 3\x00\xff", "bag-broken"),
         "names alone": ("log.csv", b"t,fx,fy,fz,tx,ty,tz\n", "recording-rows"),
-        "text for numbers": ("log.csv", text.replace(b"1", b"x", 500), "import-not-recognised"),
+        "text for numbers": ("log.csv", text.replace(b"1", b"x", 500), "recording-text-for-number"),
         "other columns": ("log.csv", b"a,b\n1,2\n3,4\n", "import-not-recognised"),
         "binary": ("log.csv", bytes(range(256)) * 100, ""),
         "a bomb": ("log.csv.gz", gzip.compress(b"t,fx\n" + b"0," * 50_000_000), ""),
