@@ -296,7 +296,7 @@ def test_a_robot_or_a_mapping_reads_nothing_outside_of_the_import(operator: Test
     assert refused(operator, path) == (422, "files-leads-outside")
     assert refused(operator, path, cell="nowhere")[1] == "request-cell-unknown"
     assert refused(operator, path, answers={"wrench.nothing": "1"})[0] == 422
-    assert refused(operator, path, answers={"a": "b" * 1000})[1] == "request-unfit"
+    assert refused(operator, path, answers={"a": "b" * 1000})[1] == "schema-string-too-long"
 
 
 def test_what_nobody_goes_on_with_is_gone_and_so_is_what_an_earlier_service_left(
