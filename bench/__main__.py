@@ -1,4 +1,4 @@
-"""Every figure of the README, one bench after the other; each is also `python -m bench.<name>`."""
+"""Every figure of docs/figures.md, one bench after the other; each is also `python -m bench.<name>`."""
 
 from __future__ import annotations
 
