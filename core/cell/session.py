@@ -102,7 +102,7 @@ class XarmRobot(SensingRobot):
     driver: Literal["xarm"] = Field(description="Which driver.", examples=["xarm"])
     port: Port = Field(default=502, description="TCP port of the control.", examples=[502])
     rate_hz: Literal[200, 250] = Field(
-        default=200, description="How often the controller reports: 200 times a second with its force/torque sensor, 250 times without."
+        default=200, description="Rate of the controller's reports, Hz: 200 with its force/torque sensor, 250 without."
     )
 
 

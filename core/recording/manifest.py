@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import difflib
 import json
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -21,6 +20,7 @@ from core.payload.site import Site, gravity_at
 from core.recording.cut_text import cut_text
 from core.recording.order_reference import OrderReference
 from core.recording.recording import FrictionDescription, Recording, SensorDescription
+from core.version import release_version
 
 FORMAT: Literal["recording/1"] = "recording/1"
 FILE = "recording.json"
@@ -218,7 +218,7 @@ def manifest_of(recording: Recording) -> Manifest:
         "cell": recording.cell,
         "payload": recording.payload,
         "order": recording.order or None,
-        "software": f"heft {_software_version()}",
+        "software": f"heft {release_version()}",
     }
     try:
         return Manifest.model_validate(content)
@@ -263,10 +263,3 @@ def _check_reference(reference: InertialParameters, where: str) -> None:
     scale = np.sqrt(np.maximum(np.diag(P), 1e-12))
     if np.linalg.eigvalsh(P / np.outer(scale, scale))[0] < -0.01:
         raise BadRecording(where, "recording-no-rigid-body", phi=reference.phi.tolist())
-
-
-def _software_version() -> str:
-    try:
-        return version("heft")
-    except PackageNotFoundError:  # run from the sources
-        return "from sources"

@@ -22,6 +22,7 @@ from core.recording.logs.mapping import write_mapping
 from core.recording.logs.question import OpenQuestion
 from core.recording.logs.tables import Log, open_log
 from core.recording.recording import Recording
+from core.version import release_version
 from server.http.flaws import dump_refusal
 from server.runner.cell_making import compile_kinematics
 from server.runner.confinement import confine
@@ -45,6 +46,7 @@ def main(folder: Path, order: LogOrder, connection: Connection) -> None:
     give_way()
     compile_kinematics()
     compile_kernels()
+    release_version()  # which the recording bears; read from where this program is installed
     os.chdir(folder / LOGS)  # errors name files as they were sent
     tempfile.tempdir = str(folder / WORK)
     resource.setrlimit(resource.RLIMIT_FSIZE, (MOST_FILE_BYTES, MOST_FILE_BYTES))

@@ -10785,7 +10785,7 @@ export interface components {
             port?: number;
             /**
              * Rate Hz
-             * @description How often the controller reports: 200 times a second with its force/torque sensor, 250 times without.
+             * @description Rate of the controller's reports, Hz: 200 with its force/torque sensor, 250 without.
              * @default 200
              * @enum {integer}
              */
