@@ -85,7 +85,7 @@ def test_results_history_and_comparison_are_german(german: Tablet, service: Real
         runs.append(person.queue(seed=seed, payload=tool))
         person.wait(runs[-1], "Idle")
         assert person.release(runs[-1]).status_code == 200
-        person.wait(runs[-1], "Complete")
+        person.finish(runs[-1])
     determined = person.run(runs[1])["result"]["determined"]
     stopped = person.queue(seed=23)
     person.wait(stopped, "Idle")

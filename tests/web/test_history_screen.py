@@ -30,7 +30,7 @@ def runs(service: RealService) -> list[dict[str, Any]]:
         run = console.queue(payload="gripper", seed=seed)
         console.wait(run, "Idle")
         assert console.release(run).status_code == 200
-        done.append(console.wait(run, "Complete"))
+        done.append(console.finish(run))
     console.leave()
     return done
 

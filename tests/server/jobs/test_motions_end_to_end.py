@@ -32,7 +32,7 @@ def test_a_proposed_motion_is_made_like_any_run_and_its_recording_holds_both(ser
     assert [(pose["axis"], pose["rotation_s"] is not None) for pose in plan["summary"]["poses"]] == [("y+", True)]
     assert console.release(run, plan_sha256="0" * 64).status_code == 409
     assert console.release(run).status_code == 200
-    done = RunPublic.model_validate(console.wait(run, "Complete", "Aborted"))
+    done = RunPublic.model_validate(console.finish(run))
     assert done.state == "Complete", done
     assert (done.continues, done.diagnosis) == (first, diagnosis)
     check_recording(service, first, run)

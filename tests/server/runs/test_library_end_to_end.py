@@ -26,7 +26,7 @@ def test_a_run_with_a_saved_payload_comes_through_remembers_it_and_the_library_s
     run = console.queue(payload="housing")
     console.wait(run, "Idle", "Stopped")
     assert console.release(run).status_code == 200
-    done = console.wait(run, "Complete", "Aborted", "Stopped")
+    done = console.finish(run)
     assert done["state"] == "Complete", done
     assert (done["payload"], done["saved_payload"], done["order"]["mass_guess_kg"]) == ("housing", saved.json()["id"], 2.5)
 
