@@ -102,6 +102,12 @@ def without_line(noise: list[Array], frequency: float, rate: float) -> list[Arra
     return left
 
 
+def fit_waves(noise: list[Array], frequency: float, rate: float) -> Array:
+    """(2 K, 6), cosine and sine of a sinusoid fitted to each of K holds."""
+    waves = (_wave(frequency, len(part), rate) for part in noise)
+    return np.concatenate([np.linalg.lstsq(wave, part, rcond=None)[0] for wave, part in zip(waves, noise, strict=True)])
+
+
 def steady(noise: list[Array], frequency: float, rate: float, channel: int) -> bool:
     """Whether the line is as strong late in the holds as early in them; ringing is not."""
     early = np.mean([_power(part[: len(part) // 2, channel], frequency, rate) for part in noise])

@@ -12,7 +12,7 @@ from core.effects.parameter_title import find_title
 from core.effects.sides import Side
 from core.gap.answer import Also, Value
 from core.gap.effect_fit import EffectFit
-from core.gap.materiality import is_doubtful
+from core.gap.materiality import is_doubtful, is_material
 from core.gap.windows import Windows
 from core.recording.recording import Recording
 from core.words.message import Message
@@ -27,16 +27,18 @@ LEADING: tuple[Side, ...] = ("reference", "reading")
 def observe_symptoms(recording: Recording, windows: Windows, nominal: EffectFit, fit: EffectFit) -> list[Also]:
     """Symptoms that stand clearly above chance: the material ones first, the clearest first.
 
-    What comes along with another symptom, or looks like one of the effects that explain the wrench, is not named beside it.
+    What comes along with another symptom, or looks like one of the effects that explain the wrench, is not named beside it. An effect
+    that does not matter explains nothing: a model of what swings takes up a part of any vibration.
 
     Args:
         nominal, fit: without and with what explains the wrench best; what that changes in the payload counts as its uncertainty.
     """
     holds = tuple(part.rows for part in windows.basis.segments if part.is_hold)
-    left, measured = windows.unwhiten(fit.residual), windows.unwhiten(windows.target)
+    named = fit if is_material(windows, nominal, fit) else nominal
+    left, measured = windows.unwhiten(named.residual), windows.unwhiten(windows.target)
     phi_std = np.hypot(fit.phi_std, fit.phi - nominal.phi)
     view = View(holds, windows.basis.noise.std, fit.phi, phi_std, left, measured - left, windows.centres)
-    acting = {effect.id for effect in fit.effects}
+    acting = {effect.id for effect in named.effects}
     found: list[tuple[Symptom, Finding]] = []
     for symptom in symptoms():
         if windows.basis.scene.apart and symptom.side != "reference":

@@ -1,0 +1,50 @@
+"""What stands beside the verdict where a model of something else takes up a part of it; shaken by Newton's law, `m a` and its lever arm."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from core.effects.library import library
+from core.gap.diagnosis import examine
+from core.gap.fit_all import one_by_one
+from tests.synthetic import Run, payload, record, run_of
+
+SWINGS = ("payload_loose", "tool_flexibility")
+
+
+@pytest.fixture(scope="module")
+def run() -> Run:
+    return run_of(repetitions=1, period=0.008)
+
+
+@pytest.mark.parametrize(("hz", "size"), [(5.0, 0.3), (11.0, 0.4)])
+def test_a_floor_that_shakes_is_named_with_its_frequency_beside_models_of_what_swings(run: Run, hz: float, size: float) -> None:
+    body = payload("steel_block")
+    recording = record(run, body, np.random.default_rng(2))
+    a = size * np.sin(2.0 * np.pi * hz * run.t)[:, None] * [0.8, 0.5, 0.33]
+    felt = body.phi[0] * np.einsum("nji,nj->ni", run.rotation, a)
+    shaken = np.hstack((felt, np.cross(body.phi[1:4] / body.phi[0], felt)))
+    candidates = [effect for effect in library() if effect.id in SWINGS]
+    diagnosis, _ = examine(replace(recording, wrench=recording.wrench + shaken), candidates, fit_all=one_by_one)
+    assert diagnosis.verdict in ("no_gap", "unknown")
+    beside = {each.id: each for each in diagnosis.also if each.material}
+    assert set(beside) == {"structure_vibration"}
+    assert beside["structure_vibration"].parameters["frequency_hz"].value == pytest.approx(hz, abs=0.1)
+
+
+def test_noise_of_the_sensor_alone_is_no_vibration(run: Run) -> None:
+    rng = np.random.default_rng(5)
+    recording = record(run, payload("steel_block"), rng)
+    noisy = recording.wrench + 2.0 * recording.sensor.noise_std * rng.normal(size=recording.wrench.shape)
+    diagnosis, _ = examine(replace(recording, wrench=noisy), [], fit_all=one_by_one)
+    assert (diagnosis.verdict, [each.id for each in diagnosis.also if each.material]) == ("no_gap", ["sensor_noise"])
+
+
+def test_a_line_of_the_mains_is_no_vibration(run: Run) -> None:
+    recording = record(run, payload("steel_block"), np.random.default_rng(6))
+    line = np.outer(np.sin(2.0 * np.pi * 11.0 * run.t), [0.4, 0.0, 0.0, 0.0, 0.02, 0.0])
+    diagnosis, _ = examine(replace(recording, wrench=recording.wrench + line), [], fit_all=one_by_one)
+    assert [each.id for each in diagnosis.also if each.material] == ["sensor_interference"]
