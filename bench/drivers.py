@@ -1,7 +1,7 @@
 """The procedure through each driver, against a server of its protocol at the protocol's own rate: commands missed, latency, faults.
 
-`python -m bench.drivers [ur xarm] [--minutes 10] [--faults 20] [--patience 20]`; with a patience the server's clock waits for each command,
-so that a computer that is busy with other things shows what driver and procedure do, not what it does itself.
+`python -m bench.drivers [ur xarm kuka] [--minutes 10] [--faults 20] [--patience 20]`; with a patience the server's clock waits for each
+command, so that a computer that is busy with other things shows what driver and procedure do, not what it does itself.
 """
 
 from __future__ import annotations
@@ -13,28 +13,37 @@ from collections import Counter
 from collections.abc import Callable, Generator
 from pathlib import Path
 from random import Random
-from typing import Any, NamedTuple
+from types import TracebackType
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 
 from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
-from core.cell.session import RealRobot, UniversalRobot, XarmRobot
+from core.cell.session import KukaRobot, RealRobot, UniversalRobot, XarmRobot
 from core.errors import HeftError
 from core.events import Event, drive
 from core.fakes import ur_arm, xarm_arm
+from core.fakes.fri_arm import FriArm
+from core.fakes.fri_server import FriServer
 from core.fakes.ur_arm import UrArm
 from core.fakes.ur_server import UrServer
 from core.fakes.xarm_arm import XarmArm
 from core.fakes.xarm_server import XarmServer
 from core.procedure.identify import identify
 from core.procedure.outcome import Outcome
+from core.sensors.sensor import ForceSensor, Reading
+from core.sensors.sequence import Tally
+from core.sessions.external_sensor import ExternalSensorSession
 from core.sessions.opening import DRIVERS
+from core.sessions.session import RobotSession
 
 CELL = load_cell(find_cell("ur5e_line"))
+LBR_CELL = load_cell(find_cell("lwr4_bench"))
 CARRIED = CELL.payloads["steel_block"]
 XARM_PORT = 5020
-Server = UrServer | XarmServer
+FRI_CLIENT = "127.76.0.1"
+Server = UrServer | XarmServer | FriServer
 
 
 class Robot(NamedTuple):
@@ -53,9 +62,10 @@ class Robot(NamedTuple):
     serve: Callable[[int, str, float | None], Server]
     before: dict[str, Callable[[Any, Random], None]]
     during: dict[str, Callable[[Any, Random], None]]
+    cell: Cell = CELL
 
     def cell_at(self, host: str) -> Cell:
-        return CELL.model_copy(update={"session": self.link.model_validate({**self.said, "host": host})})
+        return self.cell.model_copy(update={"session": self.link.model_validate({**self.said, "host": host})})
 
 
 def serve_ur(seed: int, host: str, patience_s: float | None) -> Server:
@@ -66,8 +76,60 @@ def serve_xarm(seed: int, host: str, patience_s: float | None) -> Server:
     return XarmServer(XarmArm(CELL, CARRIED.parameters, seed=seed), host, port=XARM_PORT, patience_s=patience_s)
 
 
-def run_procedure(cell: Cell, out: Path | None = None) -> Generator[Event, None, Outcome]:
+def serve_kuka(seed: int, host: str, patience_s: float | None) -> Server:
+    return FriServer(FriArm(LBR_CELL, CARRIED.parameters, seed=seed), host, client=FRI_CLIENT, patience_s=patience_s)
+
+
+class ArmClock:
+    """The stand-in's own time, a moment later, as far as nobody has waited for longer: the server's clock may go by answers."""
+
+    def __init__(self, arm: FriArm) -> None:
+        self._arm, self._waited = arm, 0.0
+
+    def __call__(self) -> float:
+        return max(self._waited, 1000.0 + self._arm.t + 1e-4)
+
+    def wait(self, seconds: float) -> None:
+        self._waited = self() + seconds
+
+
+class ArmSensor(ForceSensor):
+    """What is on the flange of the stand-in, once per period of its drives, without a line that could lose it."""
+
+    name = "sensor"
+
+    def __init__(self, arm: FriArm, clock: ArmClock) -> None:
+        self._arm, self._clock, self._told = arm, clock, -1.0
+        self.tally = Tally()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None) -> None:
+        """Nothing is open."""
+
+    def read(self, wait_s: float = 0.0) -> list[Reading]:
+        arm = self._arm
+        if arm.t <= self._told:
+            self._clock.wait(wait_s)
+            return []
+        self._told, samples = arm.t, arm.samples
+        step = arm.period / len(samples)
+        self.tally.received += len(samples)
+        return [Reading(arm.t - step * (len(samples) - 1 - k), self._clock(), -sample.wrench) for k, sample in enumerate(samples)]
+
+
+def open_session(cell: Cell, server: Server) -> RobotSession:
+    """Of the driver, with the sensor on the flange where the robot has none of its own."""
     session = DRIVERS[cell.session.driver](cell)
+    if not isinstance(server, FriServer):
+        return session
+    clock = ArmClock(server.arm)
+    return ExternalSensorSession(session, ArmSensor(server.arm, clock), clock=clock)
+
+
+def run_procedure(cell: Cell, server: Server, out: Path | None = None) -> Generator[Event, None, Outcome]:
+    session = open_session(cell, server)
     start = session.find_start()
     return identify(cell, session, CARRIED.box, payload="steel_block", reference=CARRIED, start=start, clock_waits=False, out=out)
 
@@ -82,7 +144,7 @@ def measure_procedure(robot: Robot, minutes: float, patience_s: float | None) ->
         began, runs = time.monotonic(), 0
         while not runs or time.monotonic() < began + 60.0 * minutes:
             try:
-                outcome = drive(run_procedure(robot.cell_at(robot.host)), ignore)
+                outcome = drive(run_procedure(robot.cell_at(robot.host), server), ignore)
             except HeftError as error:
                 print(f"  ended: {type(error).__name__}: {error}")
                 break
@@ -138,6 +200,18 @@ def change_mode(server: XarmServer, random: Random) -> None:
     order_later(server, random, lambda: server.arm.set_mode(xarm_arm.POSITION))
 
 
+def make_kuka_stop(server: FriServer, random: Random) -> None:
+    order_later(server, random, lambda: server.arm.stop_safely(1))
+
+
+def end_application(server: FriServer, random: Random) -> None:
+    order_later(server, random, server.arm.end_motion)
+
+
+def make_deaf(server: FriServer, random: Random) -> None:
+    order_later(server, random, lambda: setattr(server, "deaf", True))
+
+
 def make_ur_old(server: UrServer, _: Random) -> None:
     server.arm.version = (5, 4, 0, 0)
 
@@ -151,8 +225,8 @@ def make_uncalibrated(server: Server, random: Random) -> None:
 
 
 def swap_joints(server: Server, random: Random) -> None:
-    i, j = random.sample(range(6), 2)
     order = server.arm.order
+    i, j = random.sample(range(len(order)), 2)
     order[i], order[j] = order[j], order[i]
 
 
@@ -181,6 +255,16 @@ ROBOTS = {
         LINE | {"wrong version": make_xarm_old} | ANOTHER,
         OUTAGE | {"emergency stop": make_xarm_emergency, "mode changed": change_mode},
     ),
+    "kuka": Robot(
+        "KUKA",
+        "127.77.0.3",
+        KukaRobot,
+        {"driver": "kuka_fri", "listen": FRI_CLIENT, "sensor": {"driver": "ati_net_ft", "host": "127.0.0.1"}},
+        serve_kuka,
+        LINE | ANOTHER,
+        OUTAGE | {"safety stop": make_kuka_stop, "application ended": end_application, "answers lost": make_deaf},
+        LBR_CELL,
+    ),
 }
 
 
@@ -190,7 +274,7 @@ def move_with_fault(robot: Robot, name: str, seed: int) -> str:
     host = f"127.78.{seed % 200}.{2 + seed // 200}"
     with robot.serve(seed, host, None) as server:
         home = server.arm.q.copy()
-        session = DRIVERS[robot.said["driver"]](robot.cell_at(host))
+        session = open_session(robot.cell_at(host), server)
         seen = []
         if name in robot.before:
             robot.before[name](server, random)
@@ -201,7 +285,7 @@ def move_with_fault(robot: Robot, name: str, seed: int) -> str:
                 q = session.state().q_cmd
                 for k in range(round(3.0 / session.period)):
                     seen.append(session.state())
-                    q = q + session.period * 0.1 * min(1.0, 5.0 * k * session.period) * np.array([1, -1, 1, -1, 1, -1])
+                    q = q + session.period * 0.1 * min(1.0, 5.0 * k * session.period) * np.where(np.arange(q.size) % 2, -1.0, 1.0)
                     session.command(q)
             outcome = "went on"
         except HeftError as error:

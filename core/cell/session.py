@@ -67,6 +67,15 @@ class RealRobot(Model):
     """What every driver of a real robot is told."""
 
     host: Host = Field(description="Name or address of the robot's controller.", examples=["192.168.1.10"])
+    base: Pose = Field(
+        default=Pose(), description="The base frame of the controller in the cell's `robot.base_frame`; the same where nobody has said."
+    )
+    sensor: ExternalSensor | None = Field(default=None, description="A sensor that is read on its own line; the robot's own where null.")
+
+
+class NamedRobot(RealRobot):
+    """A robot whose controller says what it is."""
+
     model: Said = Field(description="The robot's model as its controller names it; another one is refused.", examples=["UR5e"])
     serial: Said | None = Field(
         default=None, description="The arm's serial number; another arm is refused. Not looked at where null.", examples=["20245500123"]
@@ -76,13 +85,9 @@ class RealRobot(Model):
         description="What the controller's version has to begin with: 5.17 takes 5.17.3. Whatever the driver knows where null.",
         examples=["5.17"],
     )
-    base: Pose = Field(
-        default=Pose(), description="The base frame of the controller in the cell's `robot.base_frame`; the same where nobody has said."
-    )
-    sensor: ExternalSensor | None = Field(default=None, description="A sensor that is read on its own line; the robot's own where null.")
 
 
-class SensingRobot(RealRobot):
+class SensingRobot(NamedRobot):
     """A robot with a force/torque sensor of its own."""
 
     wrench_acts_on: Literal["robot", "payload"] = Field(
@@ -106,9 +111,44 @@ class XarmRobot(SensingRobot):
     )
 
 
-Session = Annotated[SimulatedRobot | UniversalRobot | XarmRobot, Field(discriminator="driver")]
+Seven = tuple[float, float, float, float, float, float, float]
 
-ROBOT_DRIVERS = ("simulated", "ur_rtde", "xarm")
+
+class PadPose(Model):
+    """One pose of a KUKA LBR as its smartPAD shows it, in the tablet's own units."""
+
+    q_deg: Seven = Field(description="Axes A1 to A7, degrees.", examples=[[10.0, 30.0, -20.0, -70.0, 40.0, 50.0, 15.0]])
+    xyz_mm: tuple[float, float, float] = Field(
+        description="X, Y, Z of the flange in the robot's root frame, mm.", examples=[[512.3, 80.1, 604.9]]
+    )
+    abc_deg: tuple[float, float, float] = Field(
+        description="A, B, C of the flange in the robot's root frame, degrees: turned about z, the new y, the newest x.",
+        examples=[[-170.2, 12.5, 165.0]],
+    )
+
+
+class KukaRobot(RealRobot):
+    """A KUKA LBR iiwa or LBR Med over the Fast Robot Interface. Its messages name neither model nor serial number."""
+
+    driver: Literal["kuka_fri"] = Field(description="Which driver.", examples=["kuka_fri"])
+    listen: Host = Field(
+        default="0.0.0.0", description="Address of this computer to which the controller sends; any where nobody has said."
+    )
+    port: Port = Field(default=30200, description="UDP port of this computer to which the controller sends.", examples=[30200])
+    send_period_ms: Annotated[int, Field(ge=1, le=10)] = Field(
+        default=5, description="How often the controller sends, ms, as the Sunrise application sets it.", examples=[5]
+    )
+    tool: Pose = Field(
+        default=Pose(), description="The tool centre point of the Sunrise application in the flange; the flange where absent."
+    )
+    pad: PadPose | None = Field(
+        default=None, description="One pose read off the smartPAD; needed where the controller tells no pose of its own (FRI 1)."
+    )
+
+
+Session = Annotated[SimulatedRobot | UniversalRobot | XarmRobot | KukaRobot, Field(discriminator="driver")]
+
+ROBOT_DRIVERS = ("simulated", "ur_rtde", "xarm", "kuka_fri")
 SENSOR_DRIVERS = ("ati_net_ft", "bota_serial", "robotiq_ft300")
 DRIVER_NAMES = frozenset({*ROBOT_DRIVERS, *SENSOR_DRIVERS})
 """Of robots and of sensors."""

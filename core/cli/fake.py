@@ -17,6 +17,9 @@ from core.cli.options import CellArgument, PayloadOption, SeedOption, choose_pay
 from core.cli.terminal import find_wording, messages
 from core.errors import BadInput
 from core.fakes.ati_server import AtiServer, Setup
+from core.fakes.fri_arm import FriArm
+from core.fakes.fri_server import PORT as FRI_PORT
+from core.fakes.fri_server import FriServer
 from core.fakes.paced_server import PacedServer
 from core.fakes.ur_arm import UrArm
 from core.fakes.ur_server import UrServer
@@ -87,6 +90,31 @@ def serve_xarm(
         _serve(server, arm, f"xArm{arm.n}", arm.serial)
 
 
+@app.command("kuka")
+def serve_kuka(
+    cell: CellArgument,
+    payload: PayloadOption = None,
+    seed: SeedOption = 0,
+    host: HostOption = "127.0.0.1",
+    client: Annotated[str, typer.Option(metavar="ADDRESS", help="Where it sends to: the computer that runs `heft run`.")] = "127.0.0.1",
+    port: Annotated[int, typer.Option(metavar="PORT", min=1, max=65535, help="UDP port there, session.port.")] = FRI_PORT,
+    period: Annotated[int, typer.Option(metavar="MS", min=1, max=10, help="How often it sends, session.send_period_ms.")] = 5,
+    fri: Annotated[int, typer.Option(metavar="N", min=1, max=2, help="Version of FRI: 1 tells no pose of its own, 2 does.")] = 2,
+    patience: PatienceOption = None,
+) -> None:
+    """A KUKA LBR over FRI with the cell's virtual robot, and an ATI Net F/T box on its flange (RDT 49152, pages 8049)."""
+    loaded = load_cell(find_cell(cell))
+    _, carried = choose_payload(loaded, payload)
+    arm = FriArm(loaded, carried.parameters, seed, period_ms=period, version=fri)
+    if arm.n != 7:
+        raise BadInput("cell", "cli-fake-not-seven-joints", count=arm.n)
+    server = FriServer(arm, host, client=client, port=port, patience_s=patience)
+    with _tell_no_address(host, f"{RDT_PORT}, {PAGES_PORT}"), server, _make_box(lambda: arm.samples[-1].wrench, loaded):
+        messages.print(find_wording().say("cli-fake-sends", host=host, client=client, port=str(port), period=period), soft_wrap=True)
+        messages.print(find_wording().say("cli-fake-serves-ati", rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)
+        _wait_for_the_end(server, arm)
+
+
 @contextmanager
 def _tell_no_address(host: str, ports: str) -> Iterator[None]:
     """Raises BadInput where nothing can listen there."""
@@ -101,6 +129,11 @@ def _tell_no_address(host: str, ports: str) -> Iterator[None]:
 def _serve(server: PacedServer, arm: UrArm | XarmArm, model: str, serial: str) -> None:
     """Until somebody has had enough."""
     messages.print(find_wording().say("cli-fake-serves", host=server.host, model=model, serial=serial), soft_wrap=True)
+    _wait_for_the_end(server, arm)
+
+
+def _wait_for_the_end(server: PacedServer, arm: UrArm | XarmArm | FriArm) -> None:
+    """Until somebody has had enough; then what was counted."""
     try:
         while True:
             time.sleep(1.0)

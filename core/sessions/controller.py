@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from core.array import Array
 from core.cell.cell import Cell
-from core.cell.session import RealRobot
+from core.cell.session import NamedRobot, RealRobot
 from core.errors import BadCell, WrongRobot
 from core.robot.model import RobotModel
 
@@ -67,7 +67,7 @@ def check_identity(cell: Cell, said: Controller, *, supported: str, least: tuple
         WrongRobot: one of them is another.
     """
     link = cell.session
-    assert isinstance(link, RealRobot)
+    assert isinstance(link, NamedRobot)
     where = cell.locate("session")
     if said.model.casefold() != link.model.casefold():
         raise WrongRobot("session-wrong-model", found=said.model, expected=link.model, at=where, host=link.host)

@@ -137,7 +137,7 @@ class ExternalSensorSession(RobotSession):
         clocks = Message.of(
             "sensors-clocks", sensor=self.sensor.name, drift_ppm=1e6 * (robot.drift - sensor.drift), spread_s=sensor.spread_s
         )
-        said = [*self.sensor.remarks(), counted, clocks]
+        said = [*self.inner.remarks(), *self.sensor.remarks(), counted, clocks]
         if self._spacing_s > 0.6 * self.period:
             wanted_hz, rate_hz = 2.0 / self.period, 1.0 / self._spacing_s
             said.append(Message.of("sensors-slow", sensor=self.sensor.name, rate_hz=rate_hz, wanted_hz=wanted_hz))

@@ -2521,7 +2521,7 @@ export interface components {
              *       "driver": "simulated"
              *     }
              */
-            session?: components["schemas"]["SimulatedRobot"] | components["schemas"]["UniversalRobot"] | components["schemas"]["XarmRobot"];
+            session?: components["schemas"]["SimulatedRobot"] | components["schemas"]["UniversalRobot"] | components["schemas"]["XarmRobot"] | components["schemas"]["KukaRobot"];
             /**
              * @description From which external torques and forces the controller acts.
              * @default {
@@ -5195,6 +5195,82 @@ export interface components {
             used_at: string | null;
         };
         /**
+         * KukaRobot
+         * @description A KUKA LBR iiwa or LBR Med over the Fast Robot Interface. Its messages name neither model nor serial number.
+         */
+        KukaRobot: {
+            /**
+             * Host
+             * @description Name or address of the robot's controller.
+             * @example 192.168.1.10
+             */
+            host: string;
+            /**
+             * @description The base frame of the controller in the cell's `robot.base_frame`; the same where nobody has said.
+             * @default {
+             *       "xyz_m": [
+             *         0,
+             *         0,
+             *         0
+             *       ],
+             *       "rpy_rad": [
+             *         0,
+             *         0,
+             *         0
+             *       ]
+             *     }
+             */
+            base?: components["schemas"]["Pose"];
+            /**
+             * Sensor
+             * @description A sensor that is read on its own line; the robot's own where null.
+             */
+            sensor?: (components["schemas"]["NetFtSensor"] | components["schemas"]["BotaSensor"] | components["schemas"]["RobotiqSensor"]) | null;
+            /**
+             * @description Which driver. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            driver: "kuka_fri";
+            /**
+             * Listen
+             * @description Address of this computer to which the controller sends; any where nobody has said.
+             * @default 0.0.0.0
+             */
+            listen?: string;
+            /**
+             * Port
+             * @description UDP port of this computer to which the controller sends.
+             * @default 30200
+             * @example 30200
+             */
+            port?: number;
+            /**
+             * Send Period Ms
+             * @description How often the controller sends, ms, as the Sunrise application sets it.
+             * @default 5
+             * @example 5
+             */
+            send_period_ms?: number;
+            /**
+             * @description The tool centre point of the Sunrise application in the flange; the flange where absent.
+             * @default {
+             *       "xyz_m": [
+             *         0,
+             *         0,
+             *         0
+             *       ],
+             *       "rpy_rad": [
+             *         0,
+             *         0,
+             *         0
+             *       ]
+             *     }
+             */
+            tool?: components["schemas"]["Pose"];
+            /** @description One pose read off the smartPAD; needed where the controller tells no pose of its own (FRI 1). */
+            pad?: components["schemas"]["PadPose"] | null;
+        };
+        /**
          * LargestTorque
          * @description Where a joint has to give the largest share of its torque, for JSON.
          */
@@ -6504,6 +6580,62 @@ export interface components {
              * @example 3.3.1
              */
             version: string;
+        };
+        /**
+         * PadPose
+         * @description One pose of a KUKA LBR as its smartPAD shows it, in the tablet's own units.
+         */
+        PadPose: {
+            /**
+             * Q Deg
+             * @description Axes A1 to A7, degrees.
+             * @example [
+             *       10,
+             *       30,
+             *       -20,
+             *       -70,
+             *       40,
+             *       50,
+             *       15
+             *     ]
+             */
+            q_deg: [
+                number,
+                number,
+                number,
+                number,
+                number,
+                number,
+                number
+            ];
+            /**
+             * Xyz Mm
+             * @description X, Y, Z of the flange in the robot's root frame, mm.
+             * @example [
+             *       512.3,
+             *       80.1,
+             *       604.9
+             *     ]
+             */
+            xyz_mm: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * Abc Deg
+             * @description A, B, C of the flange in the robot's root frame, degrees: turned about z, the new y, the newest x.
+             * @example [
+             *       -170.2,
+             *       12.5,
+             *       165
+             *     ]
+             */
+            abc_deg: [
+                number,
+                number,
+                number
+            ];
         };
         /**
          * Pair
@@ -10158,24 +10290,6 @@ export interface components {
              */
             host: string;
             /**
-             * Model
-             * @description The robot's model as its controller names it; another one is refused.
-             * @example UR5e
-             */
-            model: string;
-            /**
-             * Serial
-             * @description The arm's serial number; another arm is refused. Not looked at where null.
-             * @example 20245500123
-             */
-            serial?: string | null;
-            /**
-             * Firmware
-             * @description What the controller's version has to begin with: 5.17 takes 5.17.3. Whatever the driver knows where null.
-             * @example 5.17
-             */
-            firmware?: string | null;
-            /**
              * @description The base frame of the controller in the cell's `robot.base_frame`; the same where nobody has said.
              * @default {
              *       "xyz_m": [
@@ -10196,6 +10310,24 @@ export interface components {
              * @description A sensor that is read on its own line; the robot's own where null.
              */
             sensor?: (components["schemas"]["NetFtSensor"] | components["schemas"]["BotaSensor"] | components["schemas"]["RobotiqSensor"]) | null;
+            /**
+             * Model
+             * @description The robot's model as its controller names it; another one is refused.
+             * @example UR5e
+             */
+            model: string;
+            /**
+             * Serial
+             * @description The arm's serial number; another arm is refused. Not looked at where null.
+             * @example 20245500123
+             */
+            serial?: string | null;
+            /**
+             * Firmware
+             * @description What the controller's version has to begin with: 5.17 takes 5.17.3. Whatever the driver knows where null.
+             * @example 5.17
+             */
+            firmware?: string | null;
             /**
              * Wrench Acts On
              * @description What the controller's raw wrench is exerted on: the robot by its load, or the load by the robot.
@@ -10726,24 +10858,6 @@ export interface components {
              */
             host: string;
             /**
-             * Model
-             * @description The robot's model as its controller names it; another one is refused.
-             * @example UR5e
-             */
-            model: string;
-            /**
-             * Serial
-             * @description The arm's serial number; another arm is refused. Not looked at where null.
-             * @example 20245500123
-             */
-            serial?: string | null;
-            /**
-             * Firmware
-             * @description What the controller's version has to begin with: 5.17 takes 5.17.3. Whatever the driver knows where null.
-             * @example 5.17
-             */
-            firmware?: string | null;
-            /**
              * @description The base frame of the controller in the cell's `robot.base_frame`; the same where nobody has said.
              * @default {
              *       "xyz_m": [
@@ -10764,6 +10878,24 @@ export interface components {
              * @description A sensor that is read on its own line; the robot's own where null.
              */
             sensor?: (components["schemas"]["NetFtSensor"] | components["schemas"]["BotaSensor"] | components["schemas"]["RobotiqSensor"]) | null;
+            /**
+             * Model
+             * @description The robot's model as its controller names it; another one is refused.
+             * @example UR5e
+             */
+            model: string;
+            /**
+             * Serial
+             * @description The arm's serial number; another arm is refused. Not looked at where null.
+             * @example 20245500123
+             */
+            serial?: string | null;
+            /**
+             * Firmware
+             * @description What the controller's version has to begin with: 5.17 takes 5.17.3. Whatever the driver knows where null.
+             * @example 5.17
+             */
+            firmware?: string | null;
             /**
              * Wrench Acts On
              * @description What the controller's raw wrench is exerted on: the robot by its load, or the load by the robot.
@@ -15518,6 +15650,7 @@ export type JointValues = components['schemas']['JointValues'];
 export type KeyCreate = components['schemas']['KeyCreate'];
 export type KeyIssued = components['schemas']['KeyIssued'];
 export type KeyPublic = components['schemas']['KeyPublic'];
+export type KukaRobot = components['schemas']['KukaRobot'];
 export type LargestTorque = components['schemas']['LargestTorque'];
 export type Lateness = components['schemas']['Lateness'];
 export type LeftOutPair = components['schemas']['LeftOutPair'];
@@ -15553,6 +15686,7 @@ export type Origin = components['schemas']['Origin'];
 export type OverlayPublic = components['schemas']['OverlayPublic'];
 export type OwnSession = components['schemas']['OwnSession'];
 export type Package = components['schemas']['Package'];
+export type PadPose = components['schemas']['PadPose'];
 export type Pair = components['schemas']['Pair'];
 export type PairOfRuns = components['schemas']['PairOfRuns'];
 export type PaperPart = components['schemas']['PaperPart'];

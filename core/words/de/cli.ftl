@@ -31,6 +31,10 @@ cli-fake-not-five-to-seven-joints =
 cli-fake-not-allowed =
     .found = ein Port an { $host }, an dem nur Administratoren dieses Rechners lauschen dürfen
     .expected = --port 5020, und in der Zelle session.port = 5020
+cli-fake-not-seven-joints =
+    .found = eine Zelle mit { $count } Gelenken
+    .expected = sieben: So viele hat ein KUKA LBR
+cli-fake-sends = ein KUKA LBR an { $host } sendet an { $client }, Port { $port }, alle { $period } ms; Strg-C beendet ihn.
 cli-fake-serves = ein { $model } (Seriennummer { $serial }) an { $host }; Strg-C beendet ihn.
 cli-fake-serves-ati = Eine ATI-Net-F/T-Box an seinem Flansch auf 127.0.0.1: RDT an Port { $rdt }, Seiten an Port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages })
 cli-fake-serves-ati-alone = eine ATI-Net-F/T-Box auf 127.0.0.1, die die Last ruhig hält: RDT an Port { $rdt }, Seiten an Port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages }); Strg-C beendet sie.

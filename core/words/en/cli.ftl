@@ -32,6 +32,10 @@ cli-fake-not-five-to-seven-joints =
 cli-fake-not-allowed =
     .found = a port at { $host } that only administrators of this computer may listen at
     .expected = --port 5020, and session.port = 5020 in the cell
+cli-fake-not-seven-joints =
+    .found = a cell with { $count } joints
+    .expected = seven: a KUKA LBR has that many
+cli-fake-sends = a KUKA LBR at { $host } sends to { $client }, port { $port }, every { $period } ms; Ctrl-C ends it.
 cli-fake-serves = a { $model } (serial number { $serial }) at { $host }; Ctrl-C ends it.
 cli-fake-serves-ati = An ATI Net F/T box on its flange at 127.0.0.1: RDT on port { $rdt }, pages on port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages })
 cli-fake-serves-ati-alone = an ATI Net F/T box at 127.0.0.1 that holds the payload still: RDT on port { $rdt }, pages on port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages }); Ctrl-C ends it.

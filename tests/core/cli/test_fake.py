@@ -42,6 +42,33 @@ def first_force(monkeypatch: pytest.MonkeyPatch, carried: str) -> Array:
     return read[0]
 
 
+def test_a_kuka_sends_to_its_client_and_tells_what_it_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    heard: list[int] = []
+
+    def listen(_: float) -> None:
+        heard.append(len(client.recv(2048)))
+        raise KeyboardInterrupt
+
+    def box(*given: Any, setup: Any, rdt_port: int, http_port: int) -> AtiServer:
+        assert (rdt_port, http_port) == (49152, 8049)
+        return AtiServer(*given, setup=setup)  # on ports that are free
+
+    monkeypatch.setattr(fake, "AtiServer", box)
+    monkeypatch.setattr(fake, "time", SimpleNamespace(sleep=listen))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
+        client.settimeout(30.0)
+        client.bind(("127.0.0.1", 0))
+        port = str(client.getsockname()[1])
+        said = CliRunner().invoke(app, ["fake", "kuka", "lwr4_bench", "--port", port, "--period", "10"], terminal_width=1000)
+    assert said.exit_code == 0, said.output
+    assert heard[0] > 300
+    assert f"a KUKA LBR at 127.0.0.1 sends to 127.0.0.1, port {port}, every 10 ms" in said.output
+    assert "0 periods under command" in said.output
+    refused = CliRunner().invoke(app, ["fake", "kuka", "ur5e_line"])
+    assert refused.exit_code != 0 and refused.exception is not None
+    assert "6 joints" in str(refused.exception)
+
+
 def test_a_box_alone_reports_the_weight_that_its_sensor_holds(monkeypatch: pytest.MonkeyPatch) -> None:
     block, cylinder = (first_force(monkeypatch, name) for name in ("steel_block", "cylinder"))
     between = abs(payload("steel_block").phi[0] - payload("cylinder").phi[0]) * 9.81
