@@ -1,13 +1,14 @@
 """The controller of a UFACTORY arm, and the virtual robot as its arm: state, mode, errors, servo motion, force/torque sensor.
 
 Written from the maker's public manuals (user manual, private TCP protocol, guide to the servo mode). Where they are silent: a stop brakes
-all joints together at `BRAKING`; servo motion goes to the newest position at once, at `JOINT_SPEED` at most; setting the zero of the
-force/torque sensor changes its external force and not its raw data.
+all joints together at `BRAKING`; servo motion goes to the newest position at `JOINT_SPEED` at most, on a cubic spline whose acceleration
+has no steps, one period late; setting the zero of the force/torque sensor changes its external force and not its raw data.
 """
 
 from __future__ import annotations
 
 import math
+from collections import deque
 
 import numpy as np
 
@@ -33,6 +34,8 @@ MOVING_RAD = 1e-6
 """A robot whose target moves by less in a period stands."""
 DRIVES = 0.001
 """Period of the drives, s."""
+SPLINE = np.array([[1.0, -3.0, 3.0, -1.0], [4.0, 0.0, -6.0, 3.0], [1.0, 3.0, 3.0, -3.0], [0.0, 0.0, 0.0, 1.0]]) / 6.0
+"""(4, 4), shares of four targets in a row, oldest first, for 1, s, s2, s3 of the way s through a period: a uniform cubic B-spline."""
 
 
 class XarmArm:
@@ -73,6 +76,7 @@ class XarmArm:
         self._fresh = False
         self._braking: list[Array] = []
         self.target = self.last = self._robot.home
+        self._path = deque([self.target] * 4, maxlen=4)
         self.t = 0.0
         self.samples = [self._robot.step(self.target)]
 
@@ -146,14 +150,12 @@ class XarmArm:
             reach = self.joint_speed * self.period
             self.target = self.target + np.clip(self._wanted - self.target, -reach, reach)
         self._fresh = False
-        # the drives step many times in a period, on the parabola through the last three targets, or the arm would be jerked
+        # A curve with steps in its velocity has an acceleration of its own in each period. A report that always comes at the same place of
+        # the period then tells the force of another moment than the positions do (with parabolas 3.3 ms earlier, and 0.3 % less mass).
+        self._path.append(self.target)
         steps = round(self.period / DRIVES)
-        shares = [(k + 1) / steps for k in range(steps)]
-        curve = [
-            0.5 * s * (s - 1.0) * self.last + (1.0 - s * s) * before + 0.5 * s * (s + 1.0) * self.target if s < 1.0 else self.target
-            for s in shares
-        ]
-        self.samples = [self._robot.step(q) for q in curve]
+        s = (1.0 + np.arange(steps)) / steps
+        self.samples = [self._robot.step(q) for q in np.vander(s, 4, increasing=True) @ SPLINE.T @ np.array(self._path)]
         self.last = before
         self.t += self.period
 

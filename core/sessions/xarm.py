@@ -23,7 +23,7 @@ from core.sessions.controller import Kinematics
 from core.sessions.flange_watch import FlangeWatch
 from core.sessions.sensor_sign import SensorSign
 from core.sessions.session import RobotSession, RobotState
-from core.sessions.xarm_connection import Reached, check_arm, reach
+from core.sessions.xarm_connection import Reached, check_arm, check_rate, reach
 from core.sessions.xarm_line import GET_ERROR, SERVO, SET_MODE, SET_STATE, Answer, pack_floats
 from core.sessions.xarm_readiness import GO, POSITION, STOPPED, check_obeys, check_ready, explain_error, obeys
 from core.sessions.xarm_readiness import SERVO as SERVO_MODE
@@ -32,8 +32,16 @@ from core.sessions.xarm_settings import REPORT_S, XarmSettings
 
 STARVED_S = 0.1
 """A moving arm that was sent nothing for so long has stood in between, at the last position that it was sent."""
-LINK_S = 0.25
-"""Without a sample or an answer for this long the line counts as lost; the arm stands by then."""
+LINK_S = 1.0
+"""Without a sample or an answer for this long the line counts as lost. The controller keeps one position only, the newest: an arm that is
+sent none goes there and stands, within a period, however long this program waits (the maker's guide to its servo mode). And nothing is sent
+meanwhile, for each command answers a report. So patience costs no safety, and what it has to outlast is the line: TCP sends again after 0.2
+and 0.6 s, the third time after 1.4 s. Whether a motion may go on then, `STARVED_S` decides by the controller's own clock."""
+LEAP_M = 0.01
+"""Farthest that servo motion may go in one step, by the maker's guide. Commands that the controller has not taken yet are one step to it:
+it goes to the newest at once, at its full speed. A user saw it stand for 190 ms before it did (issue 154 of the maker's client)."""
+FEWEST_WAITING = 2
+"""Commands that may be on the way: one that was just sent, and one whose answer is."""
 BEGIN_S = 5.0
 """How long the controller may take to switch servo motion or the sensor on, and the robot to stand after a stop."""
 STANDS_RAD_S = 1e-4
@@ -70,6 +78,7 @@ class XarmSession(RobotSession):
         given, robot = cell.robot.velocity_rad_s, self._robot
         velocity = robot.velocity if given is None else np.array(given)
         self._limits = CommandLimits(robot.description.joints, robot.lower, robot.upper, velocity, self.period)
+        self._most_waiting = max(FEWEST_WAITING, int(LEAP_M / (cell.limits.cartesian_speed_m_s * self.period)))
         self._sensor_sign = SensorSign(cell, self._robot)
         self._reached: Reached | None = None
         self._mode, self._moving, self._sent = WAIT, False, False
@@ -113,7 +122,7 @@ class XarmSession(RobotSession):
         """Waits for the controller's next report.
 
         Raises:
-            ControllerStopped: the controller has an error, or somebody else has stopped it or changed its settings.
+            ControllerStopped: the controller has an error or takes no commands, or somebody else has stopped it or changed its settings.
             RobotStateLate: no report came; the line is lost.
             BadState, WrongKinematics: the flange is not where the cell has it, or moves otherwise.
             WrongSensor: the wrench does not turn with it.
@@ -123,6 +132,9 @@ class XarmSession(RobotSession):
         try:
             if self._moving and sample.t - before > STARVED_S:
                 raise ControllerStopped("xarm-starved", value=sample.t - before, limit=STARVED_S)
+            waiting = self._open().control.waiting
+            if self._moving and waiting > self._most_waiting:
+                raise ControllerStopped("xarm-not-taken", value=waiting, limit=self._most_waiting, leap_m=LEAP_M)
             if self._mode == FOLLOW and not obeys(sample):
                 self._explain_end(sample)
         except ControllerStopped:
@@ -186,28 +198,9 @@ class XarmSession(RobotSession):
         self._settings = XarmSettings(reached, sensor=self._link.sensor is None)
         check_arm(self.cell, self._robot, reached)
         check_ready(reached.slow, self._link.host)
-        self._check_rate()
+        check_rate(self.cell, reached, LINK_S)
         self._q_cmd = reached.fast.target_q
         self._flange_watch = FlangeWatch(self._kinematics, self._robot.description.joints)
-
-    def _check_rate(self) -> None:
-        """The controller reports as often as the cell says.
-
-        Raises:
-            NotConnected: it does not; it reports 200 times a second with a force/torque sensor, 250 times without.
-        """
-        stamps: list[float] = []
-        try:
-            while len(stamps) < 10:
-                found = self._open().fast_line.receive(LINK_S)
-                if not found:
-                    raise TimeoutError("no report")
-                stamps += [read_fast(each, self._robot.n).t for each in found]
-        except OSError as error:
-            raise NotConnected("session-not-reached", host=self._link.host, reason=str(error)[:120]) from error
-        found_s = float(np.median(np.diff(stamps)))
-        if abs(found_s - self.period) > 0.1 * self.period:
-            raise NotConnected("xarm-rate", host=self._link.host, found_s=found_s, expected_s=self.period)
 
     def _set_up(self) -> None:
         """The sensor is on, and nobody changes the settings from now on.

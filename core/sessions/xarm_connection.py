@@ -137,6 +137,29 @@ def check_arm(cell: Cell, robot: RobotModel, reached: Reached) -> None:
         raise WrongRobot("session-payload-beyond-limit", found=slow.payload[0], expected=limit)
 
 
+def check_rate(cell: Cell, reached: Reached, patience_s: float) -> None:
+    """The controller reports as often as the cell says.
+
+    Args:
+        patience_s: how long a report may take, s.
+
+    Raises:
+        NotConnected: it does not; it reports 200 times a second with a force/torque sensor, 250 times without.
+    """
+    link, stamps = link_of(cell), list[float]()
+    try:
+        while len(stamps) < 10:
+            found = reached.fast_line.receive(patience_s)
+            if not found:
+                raise TimeoutError("no report")
+            stamps += [read_fast(each, reached.identity.axes).t for each in found]
+    except OSError as error:
+        raise NotConnected("session-not-reached", host=link.host, reason=str(error)[:120]) from error
+    found_s, period = float(np.median(np.diff(stamps))), 1.0 / link.rate_hz
+    if abs(found_s - period) > 0.1 * period:
+        raise NotConnected("xarm-rate", host=link.host, found_s=found_s, expected_s=period)
+
+
 def link_of(cell: Cell) -> XarmRobot:
     """What the cell says of the line."""
     assert isinstance(cell.session, XarmRobot)

@@ -112,6 +112,11 @@ class ControlLine:
         """For how long the oldest request has had no answer, s."""
         return time.monotonic() - min(self._sent_at.values()) if self._sent_at else 0.0
 
+    @property
+    def waiting(self) -> int:
+        """How many requests have had no answer."""
+        return len(self._sent_at)
+
     def abort(self) -> None:
         """Lets go of a line that is lost: what has not got through is thrown away, so that no command arrives when the line is back."""
         with suppress(OSError):  # it was let go before

@@ -1,6 +1,7 @@
 # A UFACTORY arm.
 xarm-link-lost = no sample and no answer from the robot at { $host } for { MILLI($value) } ms; it stands at the last position that it was sent. Check the line between this computer and the controller, and begin again.
 xarm-starved = the robot was sent nothing for { MILLI($value) } ms (limit { MILLI($limit) } ms) while it moved, so it has stopped where it was sent last; it stands. This computer was too busy, or the line was late. Begin again.
+xarm-not-taken = the controller reports, and has not taken the last { $value } commands (limit { $limit }); it would make up for them in one leap of more than { MILLI($leap_m) } mm, so the robot was stopped. Check the line to the controller and its load: UFACTORY advises a cable of its own. Begin again.
 xarm-not-begun = the robot at { $host } has not switched servo motion on within { FIXED($limit_s, digits: 0) } s; nothing has moved. Look for a message in UFACTORY Studio, and whether another program moves the robot.
 xarm-rate = the controller at { $host } reports every { MILLI($found_s, digits: 1) } ms, and session.rate_hz says every { MILLI($expected_s, digits: 1) } ms; nothing has moved. It reports 200 times a second with its force/torque sensor on and 250 times without: correct session.rate_hz, or switch the sensor.
 xarm-motors-off = its motors are off or their brakes are closed. Enable the robot in UFACTORY Studio.

@@ -1,5 +1,6 @@
 """The driver of UFACTORY arms against a server that speaks their protocol, with the virtual robot behind it."""
 
+import threading
 import time
 from pathlib import Path
 
@@ -11,8 +12,9 @@ from core.cell.folder import load_cell
 from core.cell.session import XarmRobot
 from core.errors import ControllerStopped, NotConnected, WrongRobot, WrongSensor
 from core.fakes.xarm_arm import COLLISION, EMERGENCY, PAUSE, POSITION, SENSOR, STOP, XarmArm
+from core.fakes.xarm_protocol import XarmPeer
 from core.fakes.xarm_server import XarmServer
-from core.sessions.xarm import XarmSession
+from core.sessions.xarm import LEAP_M, LINK_S, XarmSession
 from tests.core.sessions.conformance import Bench, Conformance, move
 
 CELLS = Path(__file__).parents[3] / "cells"
@@ -231,6 +233,51 @@ def test_an_arm_of_seven_joints_without_a_sensor_of_its_own_moves_at_250_hz(monk
         assert not server.arm.sensor_on
     assert np.abs(states[-1].q - states[0].q).min() > 1e-3
     np.testing.assert_allclose(np.diff([state.t for state in states]), 0.004, atol=1e-6)
+
+
+def cut_for(bench, seconds):
+    bench.server.cut = True
+    time.sleep(seconds)
+    bench.server.cut = False
+
+
+def test_a_line_that_is_silent_for_two_retransmissions_is_waited_for_while_the_arm_stands(bench, monkeypatch):
+    monkeypatch.setattr("core.sessions.xarm.LINK_S", max(LINK_S, 0.65))  # what it is as shipped, wherever the test runs
+    with bench.open() as session:
+        before = [session.state() for _ in range(5)][-1]
+        threading.Thread(target=cut_for, args=(bench, 0.6)).start()
+        states = [session.state() for _ in range(150)]
+        move(session, bench.cell)
+    assert states[-1].t > before.t + 0.6
+    assert np.diff([state.t for state in states]).max() > 0.3
+
+
+def test_a_moving_arm_that_was_sent_nothing_meanwhile_is_told_that_it_stood_and_does_not_leap(bench):
+    with pytest.raises(ControllerStopped, match="was sent nothing for"), bench.open() as session:
+        move(session, bench.cell)
+        threading.Thread(target=cut_for, args=(bench, 0.6)).start()
+        move(session, bench.cell, seconds=5.0)
+    Conformance.check_standing(bench)
+
+
+def test_commands_that_the_controller_does_not_take_do_not_pile_up_to_a_leap(bench, monkeypatch):
+    def leave_unread(peer, data):
+        peer._rest += data
+        peer.served += 1
+        return b""
+
+    with bench.open() as session:
+        move(session, bench.cell, seconds=0.3)
+        with monkeypatch.context() as deaf:
+            deaf.setattr(XarmPeer, "take", leave_unread)
+            stood = bench.arm.target.copy()
+            with pytest.raises(ControllerStopped, match="has not taken the last 9 commands"):
+                move(session, bench.cell, seconds=2.0)
+        for _ in range(60):  # it takes them now, all at once
+            session.state()
+    leap = bench.arm.flange(bench.arm.target)[0] - bench.arm.flange(stood)[0]
+    assert 0.0 < np.linalg.norm(leap) < LEAP_M
+    Conformance.check_standing(bench)
 
 
 def test_it_is_left_out_of_servo_motion(bench):
