@@ -26,9 +26,7 @@ COMMANDS = {
         "Plan and run the procedure on the cell's robot, identify the payload, write recording, answer and report. "
         "The robot is simulated unless cell.toml names a real one.",
     ),
-    "identify": Command(
-        "core.cli.identify", "Identify the payload from a recording, of this program or from elsewhere. The recording is only read."
-    ),
+    "identify": Command("core.cli.identify", "Identify the payload from a recording, or from another program's log. Either is only read."),
     "import": Command(
         "core.cli.import_log",
         "Make a recording of another program's log: show what its columns are taken for, and check that they agree with each other.",

@@ -14,6 +14,7 @@ from core.cell.folder import find_cell, load_cell
 from core.cli.answer import write_json
 from core.cli.answer_file import read_diagnosis_file
 from core.cli.experiments import check_experiment_file, plan_next
+from core.cli.log_argument import LogKnowledge, MapOption, SetOption, UrdfOption, are_log, check_no_log, take_log, take_recording
 from core.cli.options import JsonOption, LanguageOption, check_new
 from core.cli.series_runs import shorten_names
 from core.cli.tables import diagnosis_lines, diagnosis_table
@@ -47,7 +48,7 @@ def diagnose_command(
         typer.Argument(
             metavar="RECORDING...",
             help="Folder of a recording. Several of one cell, in the order in which they were made, tell which effect came when; in the "
-            "place of a recording the file that --json wrote of it.",
+            "place of a recording the file that --json wrote of it. Or another program's log, whose files are given together.",
         ),
     ],
     json: JsonOption = None,
@@ -59,21 +60,30 @@ def diagnose_command(
         Path | None,
         typer.Option(metavar="FILE", help="Write the next motion for `heft run --experiment`; needs --cell and a single recording."),
     ] = None,
+    mapping: MapOption = None,
+    urdf: UrdfOption = None,
+    changes: SetOption = None,
     *,
     language: LanguageOption,
 ) -> None:
     """Where simulation and recording part, which unmodelled effect causes it, and how far adding it closes the gap."""
     check_new(report, json)
     check_experiment_file(experiment, cell)
+    is_log = are_log(recordings)
+    if experiment is not None and is_log:
+        raise BadInput("--experiment", "cli-experiment-of-log")
     if len(recordings) > 1 and experiment is not None:
         raise BadInput("--experiment", "cli-experiment-of-several")
     made_in = None if cell is None else load_cell(find_cell(cell))
     twin = NOMINAL if made_in is None else read_twin(made_in)
-    if len(recordings) > 1:
+    known = LogKnowledge(mapping, urdf, tuple(changes or ()), made_in)
+    if len(recordings) > 1 and not is_log:
+        check_no_log(recordings[0], known)
         _follow(recordings, made_in, twin, json, report, language)
         return
-    diagnosis, evidence, loaded = _diagnose(recordings[0], made_in, twin)
-    if made_in is not None:
+    with take_log(recordings, known) if is_log else take_recording(recordings[0], known) as folder:
+        diagnosis, evidence, loaded = _diagnose(folder, made_in, twin, kept=not is_log)
+    if made_in is not None and not is_log:
         diagnosis = plan_next(diagnosis, evidence, loaded, recordings[0], made_in, experiment, messages)
     if report is not None:
         _write_report(report, diagnosis, evidence, language)
@@ -111,12 +121,12 @@ def _print(answer: BaseModel, shown: Sequence[Table | str], json: str | None, re
         answers.print(find_wording().say("cli-report", file=str(report)), soft_wrap=True, highlight=False)
 
 
-def _diagnose(folder: Path, made_in: Cell | None, twin: Twin) -> tuple[Diagnosis, Evidence | None, Recording]:
-    """One recording, from the twin of the cell that it was made in."""
+def _diagnose(folder: Path, made_in: Cell | None, twin: Twin, *, kept: bool = True) -> tuple[Diagnosis, Evidence | None, Recording]:
+    """One recording, from the twin of the cell that it was made in; of one that is not kept nothing goes into a twin."""
     loaded = read_recording(folder)
     loaded = loaded if made_in is None else with_cell_friction(loaded, made_in)
     with messages.status(find_wording().say("cli-fitting")) if messages.is_terminal else nullcontext():
-        diagnosis, evidence = examine(loaded, twin=twin, folder=folder)
+        diagnosis, evidence = examine(loaded, twin=twin, folder=folder if kept else None)
     return diagnosis if made_in is None else addable_to(diagnosis, made_in), evidence, loaded
 
 

@@ -10,6 +10,7 @@ import typer
 
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer import print_answer
+from core.cli.log_argument import LogKnowledge, MapOption, SetOption, UrdfOption, are_log, take_log, take_recording
 from core.cli.options import JsonOption, LanguageOption, check_new
 from core.cli.terminal import find_wording, messages
 from core.errors import BadInput
@@ -30,7 +31,10 @@ app = typer.Typer()
 
 @app.command("identify")
 def identify_command(
-    recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recording.")],
+    recording: Annotated[
+        list[Path],
+        typer.Argument(metavar="RECORDING", help="Folder of a recording; or another program's log, whose files are given together."),
+    ],
     json: JsonOption = None,
     report: Annotated[Path | None, typer.Option(metavar="FILE", help="Also write the HTML report.")] = None,
     cell: Annotated[
@@ -41,17 +45,25 @@ def identify_command(
         Path | None,
         typer.Option(metavar="EMPTY", help="A recording of the same arm without the payload: joint torques alone then tell the payload."),
     ] = None,
+    mapping: MapOption = None,
+    urdf: UrdfOption = None,
+    changes: SetOption = None,
     *,
     language: LanguageOption,
 ) -> None:
-    """Identify the payload from a recording, of this program or from elsewhere. The recording is only read."""
+    """Identify the payload from a recording, or from another program's log. Either is only read."""
     check_new(report, json)
     made_in = None if cell is None else load_cell(find_cell(cell))
     wanted = None if target is None else parse_target(target)
     if wanted is not None and wanted.requirement and made_in is None:
         raise BadInput("--target", "target-without-cell")
     twin = NOMINAL if made_in is None else read_twin(made_in)
-    loaded, remarks = read_condensed(recording)
+    known = LogKnowledge(mapping, urdf, tuple(changes or ()), made_in)
+    is_log = are_log(recording)
+    if len(recording) > 1 and not is_log:
+        raise BadInput(str(recording[1]), "cli-one-recording")
+    with take_log(recording, known) if is_log else take_recording(recording[0], known) as folder:
+        loaded, remarks = read_condensed(folder)
     empty, of_empty = (None, ()) if without is None else read_condensed(without)
     began = time.perf_counter()
     with messages.status(find_wording().say("cli-estimating")) if messages.is_terminal else nullcontext():
@@ -66,4 +78,4 @@ def identify_command(
         from core.report.page import write_report  # noqa: PLC0415  only who wants a page waits for what draws it
 
         write_report(report, recording=loaded, identification=identification, requirement=enough, target=met, language=language)
-    print_answer(result_of(identification, loaded, seconds=seconds, requirement=enough, target=met, folder=recording), json)
+    print_answer(result_of(identification, loaded, seconds=seconds, requirement=enough, target=met, folder=recording[0]), json)

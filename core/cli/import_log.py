@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Annotated
 
 import numpy as np
 import typer
+from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
+from core.cli.log_argument import LogKnowledge, MapOption, SetOption, UrdfOption
 from core.cli.terminal import answers, find_wording, messages
 from core.errors import BadInput, BadRecording
 from core.estimation.setup.clock_offset import estimate_clock_offset
@@ -27,6 +29,8 @@ from core.words.wording import Wording
 app = typer.Typer()
 
 MOST_QUESTIONS = 8
+MAPPING = "map.toml"
+FRAME = "joints.sensor_frame"
 WAYS = {
     "quaternion": "import-quaternion",
     "matrix": "import-matrix",
@@ -44,44 +48,62 @@ def import_command(
         ),
     ],
     out: Annotated[Path, typer.Option(metavar="DIR", help="Folder to make for the recording.")],
-    mapping: Annotated[
-        Path | None,
-        typer.Option("--map", metavar="FILE", help="What the columns mean (docs/import.md). [default: what their names and values say]"),
-    ] = None,
-    urdf: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="The robot's description: the attitude comes from the joints then.")
-    ] = None,
-    changes: Annotated[
-        list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="One key of the mapping, such as wrench.sign=-1.")
-    ] = None,
+    mapping: MapOption = None,
+    urdf: UrdfOption = None,
+    changes: SetOption = None,
 ) -> None:
     """Make a recording of another program's log: show what its columns are taken for, and check that they agree with each other."""
     if out.exists() and not (out.is_dir() and not any(out.iterdir())):
         raise BadInput(str(out), "recording-there-already")
-    log = open_log(logs)
-    if urdf is not None:
-        log.urdf = read_inside(urdf.parent, urdf.name, BadInput, max_bytes=MAX_URDF_BYTES)
-    made = _import_with_answers(log, mapping, _read_changes(changes or []))
+    make_recording(logs, out, LogKnowledge(mapping, urdf, tuple(changes or ())), answers)
     words = find_wording()
-    answers.print(_tabulate(made, words))
-    if made.check.contradiction is not None:
-        raise BadRecording(str(mapping or log.where), "import-contradiction", contradiction=made.check.contradiction)
-    write_recording(made.beginning, out, made.conversion.blocks(len(made.beginning)))
-    (out / "map.toml").write_text(write_mapping(made.mapping), encoding="utf-8")
-    for remark in made.check.remarks:
-        answers.print(words.say("result-warning", warning=words.quote(remark)), highlight=False)
     answers.print(words.say("import-written", folder=str(out)), highlight=False, soft_wrap=True)
 
 
-def _import_with_answers(log: Log, mapping: Path | None, given: dict[str, str]) -> ImportedLog:
-    """The log, with what a person answers on a terminal; in a pipe a question is an error that names the option."""
+def make_recording(logs: Sequence[Path], out: Path, known: LogKnowledge, console: Console) -> None:
+    """A recording in the folder `out`, its mapping beside it; what the log was taken for is told on a console.
+
+    Raises:
+        OpenQuestion: something has to be asked, and nobody sits at a terminal.
+        BadInput, BadRecording: the log cannot be used, and why; nothing is written.
+    """
+    log = open_log(logs)
+    if known.urdf is not None:
+        log.urdf = read_inside(known.urdf.parent, known.urdf.name, BadInput, max_bytes=MAX_URDF_BYTES)
+    elif known.cell is not None:
+        log.urdf = known.cell.urdf
+    known = known._replace(mapping=known.mapping or _find_mapping(logs))
+    made = _import_with_answers(log, known)
+    words = find_wording()
+    console.print(_tabulate(made, words))
+    if made.check.contradiction is not None:
+        raise BadRecording(str(known.mapping or log.where), "import-contradiction", contradiction=made.check.contradiction)
+    write_recording(made.beginning, out, made.conversion.blocks(len(made.beginning)))
+    (out / MAPPING).write_text(write_mapping(made.mapping), encoding="utf-8")
+    for remark in made.check.remarks:
+        console.print(words.say("result-warning", warning=words.quote(remark)), highlight=False)
+
+
+def _find_mapping(logs: Sequence[Path]) -> Path | None:
+    """The mapping that lies in a folder of logs."""
+    inside = logs[0] / MAPPING
+    return inside if len(logs) == 1 and inside.is_file() else None
+
+
+def _import_with_answers(log: Log, known: LogKnowledge) -> ImportedLog:
+    """The log, with what the cell knows and a person answers on a terminal; in a pipe a question is an error that names the option."""
+    given = _read_changes(known.changes)
     for _ in range(MOST_QUESTIONS):
         try:
-            return read_log(log, mapping, given)
+            return read_log(log, known.mapping, given)
         except OpenQuestion as question:
-            if not _can_ask():
+            if question.key == FRAME and known.cell is not None and known.urdf is None:
+                robot = known.cell.robot
+                given |= {"joints.base_frame": robot.base_frame, FRAME: robot.sensor_frame}
+            elif _can_ask():
+                given[question.key] = _ask(question)
+            else:
                 raise
-            given[question.key] = _ask(question)
     raise BadInput(log.where, "import-too-many-questions")
 
 
@@ -101,7 +123,7 @@ def _ask(question: OpenQuestion) -> str:
             return possible[given]
 
 
-def _read_changes(changes: list[str]) -> dict[str, str]:
+def _read_changes(changes: Sequence[str]) -> dict[str, str]:
     for change in changes:
         if "=" not in change:
             raise BadInput(f"--set {change}", "import-no-equals")

@@ -105,6 +105,15 @@ def is_log(name: str) -> bool:
     return name.lower().endswith(KINDS)
 
 
+def holds_logs(folder: Path) -> bool:
+    """Whether a folder is a bag, or has logs in it."""
+    return is_bag(folder) or any(_list_logs(folder))
+
+
+def _list_logs(folder: Path) -> list[Path]:
+    return sorted(each for each in folder.iterdir() if is_log(each.name) or (each.is_dir() and is_bag(each)))
+
+
 def open_log(paths: Sequence[Path]) -> Log:
     """The tables of files and bags; of a folder that is no bag itself, those of the files in it.
 
@@ -134,7 +143,7 @@ def _list_files(paths: Iterable[Path]) -> Iterable[Path]:
         if not path.exists():
             raise BadInput(str(path), "import-no-log")
         if path.is_dir() and not is_bag(path):
-            inside = sorted(each for each in path.iterdir() if is_log(each.name) or (each.is_dir() and is_bag(each)))
+            inside = _list_logs(path)
             if not inside:
                 raise BadInput(str(path), "import-no-files", kinds=KINDS)
             yield from inside
