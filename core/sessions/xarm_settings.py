@@ -13,8 +13,8 @@ from core.sessions.xarm_reports import SlowReport, read_slow
 
 ON_S = 5.0
 """How long the controller may take to switch the sensor on."""
-REPORT_S = 1.0
-"""The slow reports come five times a second; where one is waited for the arm stands."""
+REPORT_S = 5.0
+"""The slow reports come five times a second; the arm stands while one is waited for."""
 ZERO = slice(26, 50)
 """Where the sensor's zero is in its set-up, six numbers of 4 B."""
 
