@@ -82,11 +82,13 @@ class FrictionSignals:
 
 
 class FrictionFit(NamedTuple):
-    """Coulomb and viscous coefficient of one joint, their covariance, and their columns (M, 2)."""
+    """Coulomb and viscous coefficient of one joint, their covariance, and their columns (M, 2); the signal's offset beside them."""
 
     friction: Array
     covariance: Array
     columns: Array
+    offset: float
+    offset_std: float
 
 
 def _at(t: Array, recorded: Array, x: Array) -> Array:
@@ -116,7 +118,9 @@ def fit_joint(run: FrictionSignals, j: int) -> FrictionFit | None:
     beta = bread @ (X.T @ y)
     covariance = _estimate_covariance(X, y - X @ beta, bread, np.asarray(np.flatnonzero(rows) * run.period // BLOCK, dtype=np.float64))
     scale = 1.0 / size[:2]
-    return FrictionFit(beta[:2] * scale, covariance[:2, :2] * np.outer(scale, scale), friction)
+    k = int(np.count_nonzero(size[:3] > 1e-9))  # its column is 1 everywhere
+    of_offset = float(beta[k]), float(np.sqrt(covariance[k, k]))
+    return FrictionFit(beta[:2] * scale, covariance[:2, :2] * np.outer(scale, scale), friction, *of_offset)
 
 
 def _estimate_covariance(X: Array, e: Array, bread: Array, block: Array) -> Array:

@@ -73,6 +73,7 @@ PIECES = {
     "swinging_inertia": Message.of("effect-parameter-swinging-inertia"),
     "taper": Message.of("effect-parameter-taper"),
     "time_constant": Message.of("effect-parameter-time-constant"),
+    "torque_offset": Message.of("effect-parameter-torque-offset"),
     "turning_load_log_ratio": Message.of("effect-parameter-turning-load-log-ratio"),
     "turning_spread_log_ratio": Message.of("effect-parameter-turning-spread-log-ratio"),
     "twist_cube": Message.of("effect-parameter-twist-cube"),

@@ -17,6 +17,7 @@ from core.gap.basis import TooLittleError, basis_of
 from core.gap.contact_answer import answer_touched, find_touched, with_contacts
 from core.gap.evidence import Evidence, describe_limits, gather
 from core.gap.fit_all import FitAll, on_all_cores
+from core.gap.joint_answer import answer_joints
 from core.gap.proposal import proposals
 from core.gap.windows import Windows
 from core.recording.folder import recording_sha256
@@ -54,7 +55,9 @@ def examine(
     try:
         basis = basis_of(recording)
     except TooLittleError as reason:
-        return not_enough(reason.message, time.perf_counter() - began), None
+        told = not_enough(reason.message, 0.0) if recording.wrench is not None else answer_joints(recording, reason.message)
+        origin = None if folder is None or not told.also else find_origin(recording, folder, twin)
+        return told.model_copy(update={"origin": origin, "seconds": time.perf_counter() - began}), None
     contradiction = check_setup(recording).contradiction
     if contradiction is not None:
         return not_enough(contradiction, time.perf_counter() - began), None

@@ -80,6 +80,8 @@ FIXED: dict[str, Said] = {
     "sensor_translation": Said("ask", Message.of("instruction-sensor-translation"), Message.of("instruction-sensor-translation-next")),
     "structure_vibration": Said("act", Message.of("instruction-structure-vibration"), Message.of("instruction-structure-vibration-next")),
     "time_delay": Said("ask", Message.of("instruction-time-delay"), Message.of("instruction-time-delay-next")),
+    "torque_offset": Said("ask", Message.of("instruction-torque-offset"), Message.of("instruction-torque-offset-next")),
+    "velocity_lag": Said("ask", Message.of("instruction-velocity-lag"), Message.of("instruction-velocity-lag-next")),
     "tool_flexibility": Said("act", Message.of("instruction-tool-flexibility"), Message.of("instruction-tool-flexibility-next")),
 }
 """Effects of which the same is said whatever their size."""
@@ -137,14 +139,20 @@ def instruct(diagnosis: Diagnosis) -> Instruction:
             unknown, shakes = _say_unknown(diagnosis), any(each.id == SHAKES for each in _material(diagnosis))
             return _lead([*beside, unknown]) if shakes else _lead([unknown, *beside], _begin_of_worst(diagnosis))
         case "not_enough":
-            reason = diagnosis.lacking or diagnosis.summary
-            if reason.code.partition("-")[0] == SETUP:
-                corrected = Message.of("instruction-correct-recording-next", reason=reason)
-                return _lead([Said("ask", Message.of("instruction-correct-recording"), corrected)])
-            following = Message.of("instruction-record-again-next", reason=reason)
-            return _lead([Said("measure", Message.of("instruction-record-again"), following)])
+            return _record_again(diagnosis, beside)
         case _:
             return _lead(beside) if beside else _nothing()
+
+
+def _record_again(diagnosis: Diagnosis, beside: list[Said]) -> Instruction:
+    """What a recording lacks, or has wrong; where the joints alone were recorded, what is seen there goes first."""
+    reason = diagnosis.lacking or diagnosis.summary
+    if diagnosis.summary.code == "gap-joints-alone":
+        return _lead([*beside, Said("measure", Message.of("instruction-joints-alone"), Message.of("instruction-joints-alone-next"))])
+    if reason.code.partition("-")[0] == SETUP:
+        corrected = Message.of("instruction-correct-recording-next", reason=reason)
+        return _lead([Said("ask", Message.of("instruction-correct-recording"), corrected)])
+    return _lead([Said("measure", Message.of("instruction-record-again"), Message.of("instruction-record-again-next", reason=reason))])
 
 
 def explains(effect: str) -> bool:

@@ -53,6 +53,15 @@ def observe_symptoms(recording: Recording, windows: Windows, nominal: EffectFit,
     return [_also(recording, *seen) for seen in sorted(own, key=lambda seen: (not seen[1].material, -seen[1].sigma))]
 
 
+def observe_joints(recording: Recording) -> list[Also]:
+    """What the joints show by themselves where there is no wrench, the clearest first."""
+    unknown = np.full(10, np.nan)
+    view = View((), np.zeros(6), unknown, unknown)
+    seen = [(symptom, symptom.observe(recording, view)) for symptom in symptoms() if symptom.side == "joints"]
+    found = [(symptom, finding) for symptom, finding in seen if finding is not None and finding.sigma >= SEEN_SIGMA]
+    return [_also(recording, *each) for each in sorted(found, key=lambda each: (not each[1].material, -each[1].sigma))]
+
+
 def find_leading(also: list[Also]) -> list[Message]:
     """What is material about the reference and the readings."""
     return [it.message for side in LEADING for it in also if it.side == side and it.material]

@@ -46,3 +46,5 @@ advice-sensor-translation = Verschieben Sie das Sensorkoordinatensystem in der U
 advice-structure-vibration = Suchen Sie, was mit { FIXED($frequency_hz, digits: 1) } Hz schwingt (eine Maschine neben dem Roboter, ein Tisch, der nicht fest steht, ein Stoß), oder halten Sie länger und messen Sie, wenn es ruhig ist.
 advice-time-delay = Stempeln Sie Kräfte und Gelenke mit einer Uhr, oder stellen Sie in der Aufzeichnung eine Verzögerung von { MILLI($delay_s, digits: 1) } ms ein.
 advice-tool-flexibility = Versteifen Sie das Werkzeug, oder glätten Sie die Bewegung: es schwingt mit { FIXED($frequency_hz, digits: 1) } Hz bei { PERCENT($damping_ratio) } % der kritischen Dämpfung.
+advice-torque-offset = Setzen Sie die Momentensensoren der Gelenke neu auf null, wie es der Hersteller des Roboters beschreibt
+advice-velocity-lag = Zeichnen Sie ungefilterte Gelenkgeschwindigkeiten auf, oder lassen Sie sie weg: diese folgen den Stellungen { MILLI($lag_s, digits: 1) } ms verspätet

@@ -30,6 +30,8 @@ effect-sensor-translation-title = Versetzter Ursprung des Sensors
 effect-structure-vibration-title = Schwingung dessen, was den Roboter trägt
 effect-time-delay-title = Kraftmessung später als die Gelenke
 effect-tool-flexibility-title = Schwingendes Werkzeug
+effect-torque-offset-title = ein Nullpunktfehler der Gelenkmomente
+effect-velocity-lag-title = verspätet aufgezeichnete Gelenkgeschwindigkeiten
 effect-and = { $first } und { $second }
 effect-or = { $first } oder { $second }
 
@@ -118,6 +120,7 @@ effect-parameter-stiffness = Steifigkeit
 effect-parameter-swinging-inertia = schwingende Trägheit
 effect-parameter-taper = Verlauf
 effect-parameter-time-constant = Zeitkonstante
+effect-parameter-torque-offset = Nullpunkt des Moments
 effect-parameter-turning-load-log-ratio = Umkehrlast (log)
 effect-parameter-turning-spread-log-ratio = Streuung der Umkehrlast (log)
 effect-parameter-twist-cube = Verdrehung, kubisch

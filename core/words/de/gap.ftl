@@ -8,6 +8,9 @@ gap-summary-and = { $said } { $more }
 
 # Why nothing can be said.
 gap-no-wrench = die Aufzeichnung enthält keine Kräfte am Handgelenk: die Abweichung der Gelenkmomente allein zeigt nur die Seite der Gelenke
+gap-joints-alone = Kräfte am Handgelenk fehlen, daher wurden nur die Gelenke betrachtet. { $seen }
+gap-joints-two = eine Last, die nur eine von zwei Aufzeichnungen trägt, zeigt sich neben der anderen: heft identify LOADED --without EMPTY
+gap-joints-as-ever = Nichts fällt auf.
 gap-no-motion = die Aufzeichnung enthält weder Gelenke noch Lagen
 gap-too-few-poses = { $poses } Lagen sind zu wenige, um eine Abweichung vom Rauschen zu unterscheiden: mindestens { $needed } werden gebraucht
 gap-of-poses = es wurden nur Lagen aufgezeichnet: was auf dem Weg zwischen ihnen geschieht, ist nicht zu sehen

@@ -34,3 +34,5 @@ symptom-friction-as-stated = Die Reibung in den Gelenken ist, wie die Zelle sie 
 symptom-friction-not-stated = Gelenk { $joint } reibt mit { $friction }; die Zelle gibt keine Reibung an, mit der das zu vergleichen wäre.
 symptom-friction-in-tracking = Gelenk { $joint } bleibt in Bewegungsrichtung um { MILLI($lag_rad, digits: 3) } ± { MILLI($lag_std_rad, digits: 3) } mrad hinter seinem Befehl zurück: Coulombsche Reibung im Schleppfehler; ohne Gelenkmomente lässt sie sich nicht mit der Zelle vergleichen.
 symptom-friction-and-tracking = { $seen } Gelenk { $joint } weicht in Bewegung um { DEGREES($tracking_rad, digits: 2) }° (quadratisches Mittel) von seinem Befehl ab.
+symptom-torque-offset = Das Moment von Gelenk { $joint } liegt um { FIXED($offset_nm, digits: 2) } ± { FIXED($offset_std_nm, digits: 2) } N m daneben; zulässig sind { FIXED($tolerated_nm, digits: 2) } N m.
+symptom-velocity-lag = Die aufgezeichneten Gelenkgeschwindigkeiten folgen den Stellungen { MILLI($lag_s, digits: 1) } ± { MILLI($lag_std_s, digits: 1) } ms verspätet, wie es ein Filter hinterlässt.

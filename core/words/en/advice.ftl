@@ -46,3 +46,5 @@ advice-sensor-translation = Move the sensor frame in the URDF by { MILLI($x_m, d
 advice-structure-vibration = Find what shakes at { FIXED($frequency_hz, digits: 1) } Hz (a machine beside the robot, a table that is not firm, a blow), or hold longer and measure when it is quiet.
 advice-time-delay = Stamp wrench and joints with one clock, or set a delay of { MILLI($delay_s, digits: 1) } ms in the recorder.
 advice-tool-flexibility = Stiffen the tool or smooth the motion: it rings at { FIXED($frequency_hz, digits: 1) } Hz with { PERCENT($damping_ratio) } % of critical damping.
+advice-torque-offset = Set the torque sensors of the joints to zero anew, as the maker of the robot describes it.
+advice-velocity-lag = Record unfiltered joint velocities or leave them out: these follow the positions { MILLI($lag_s, digits: 1) } ms late.

@@ -30,6 +30,8 @@ effect-sensor-translation-title = a sensor origin that is off
 effect-structure-vibration-title = a vibration of what carries the robot
 effect-time-delay-title = a delay of the wrench against the joints
 effect-tool-flexibility-title = a tool that rings
+effect-torque-offset-title = an offset of the joint torques
+effect-velocity-lag-title = joint velocities that are recorded late
 effect-and = { $first } and { $second }
 effect-or = { $first } or { $second }
 
@@ -118,6 +120,7 @@ effect-parameter-stiffness = stiffness
 effect-parameter-swinging-inertia = swinging inertia
 effect-parameter-taper = taper
 effect-parameter-time-constant = time constant
+effect-parameter-torque-offset = torque offset
 effect-parameter-turning-load-log-ratio = turning load (log)
 effect-parameter-turning-spread-log-ratio = spread of the turning load (log)
 effect-parameter-twist-cube = twist, cubic

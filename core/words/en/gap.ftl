@@ -8,6 +8,9 @@ gap-summary-and = { $said } { $more }
 
 # Why nothing can be said.
 gap-no-wrench = the recording has no wrist wrench: the gap of joint torques alone is shown by the joint side only
+gap-joints-alone = There is no wrist wrench, so only the joints were looked at. { $seen }
+gap-joints-two = a load that one of two recordings carries shows beside the other: heft identify LOADED --without EMPTY
+gap-joints-as-ever = Nothing stands out.
 gap-no-motion = the recording has neither joints nor poses
 gap-too-few-poses = { $poses } poses are too few to tell a gap from noise: at least { $needed } are needed
 gap-of-poses = only poses were recorded: what happens on the way between them cannot be seen

@@ -34,3 +34,5 @@ symptom-friction-as-stated = Friction in the joints is as the cell states it: jo
 symptom-friction-not-stated = Joint { $joint } rubs with { $friction }; the cell states no friction to compare it with.
 symptom-friction-in-tracking = Joint { $joint } lags its command by { MILLI($lag_rad, digits: 3) } ± { MILLI($lag_std_rad, digits: 3) } mrad in the direction of motion: Coulomb friction in the tracking error; without joint torques there is nothing to compare with the cell.
 symptom-friction-and-tracking = { $seen } Joint { $joint } follows its command with an error of { DEGREES($tracking_rad, digits: 2) } deg, r.m.s. while it moves.
+symptom-torque-offset = The torque of joint { $joint } is off by { FIXED($offset_nm, digits: 2) } ± { FIXED($offset_std_nm, digits: 2) } N m; { FIXED($tolerated_nm, digits: 2) } N m are tolerated.
+symptom-velocity-lag = The recorded joint velocities are { MILLI($lag_s, digits: 1) } ± { MILLI($lag_std_s, digits: 1) } ms late against the positions, as a filter leaves them.

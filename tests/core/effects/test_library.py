@@ -48,6 +48,8 @@ TABLE = {
     "cable_drag",
     "external_contact",
     "structure_vibration",
+    "torque_offset",
+    "velocity_lag",
 }
 """The effects of the project's specification, `unknown` apart, and what shakes the structure, which has no name there."""
 

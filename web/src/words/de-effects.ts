@@ -33,6 +33,8 @@ export const deEffects: typeof enEffects = {
     structure_vibration: 'Schwingung des Aufbaus',
     time_delay: 'Verzögertes Kraftsignal',
     tool_flexibility: 'Schwingendes Werkzeug',
+    torque_offset: 'Nullpunkt der Gelenkmomente',
+    velocity_lag: 'Verspätete Gelenkgeschwindigkeiten',
     unknown: 'Ein Effekt außerhalb der Bibliothek',
   },
   stages: {

@@ -32,6 +32,8 @@ export const enEffects = {
     structure_vibration: 'Vibration of the structure',
     time_delay: 'Force signal delay',
     tool_flexibility: 'Tool vibration',
+    torque_offset: 'Joint torque offset',
+    velocity_lag: 'Late joint velocities',
     unknown: 'An effect outside the library',
   } as Record<string, string>,
   stages: {
