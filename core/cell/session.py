@@ -136,7 +136,7 @@ class KukaRobot(RealRobot):
     )
     port: Port = Field(default=30200, description="UDP port of this computer to which the controller sends.", examples=[30200])
     send_period_ms: Annotated[int, Field(ge=1, le=10)] = Field(
-        default=5, description="How often the controller sends, ms, as the Sunrise application sets it.", examples=[5]
+        default=2, description="How often the controller sends, ms, as the Sunrise application sets it.", examples=[2]
     )
     tool: Pose = Field(
         default=Pose(), description="The tool centre point of the Sunrise application in the flange; the flange where absent."

@@ -98,7 +98,7 @@ def serve_kuka(
     host: HostOption = "127.0.0.1",
     client: Annotated[str, typer.Option(metavar="ADDRESS", help="Where it sends to: the computer that runs `heft run`.")] = "127.0.0.1",
     port: Annotated[int, typer.Option(metavar="PORT", min=1, max=65535, help="UDP port there, session.port.")] = FRI_PORT,
-    period: Annotated[int, typer.Option(metavar="MS", min=1, max=10, help="How often it sends, session.send_period_ms.")] = 5,
+    period: Annotated[int, typer.Option(metavar="MS", min=1, max=10, help="How often it sends, session.send_period_ms.")] = 2,
     fri: Annotated[int, typer.Option(metavar="N", min=1, max=2, help="Version of FRI: 1 tells no pose of its own, 2 does.")] = 2,
     patience: PatienceOption = None,
 ) -> None:

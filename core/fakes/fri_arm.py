@@ -53,7 +53,7 @@ class FriArm:
     """
 
     def __init__(
-        self, cell: Cell, payload: InertialParameters | None = None, seed: int = 0, *, period_ms: int = 5, version: int = 2
+        self, cell: Cell, payload: InertialParameters | None = None, seed: int = 0, *, period_ms: int = 2, version: int = 2
     ) -> None:
         carried = payload or InertialParameters(np.zeros(10))
         self.cell, self.period_ms, self.version = cell, period_ms, version

@@ -6,7 +6,6 @@ of its messages with one command. The controller itself ends the motion when the
 
 from __future__ import annotations
 
-import time
 from collections import deque
 from types import TracebackType
 from typing import NoReturn, Self
@@ -37,7 +36,7 @@ LINK_S = 0.25
 FIRST_S = 3.0
 """How long the first message may take."""
 BEGIN_S = 30.0
-"""How long the connection may take to become good, and the Sunrise application to begin its motion."""
+"""How long the connection may take to become good, and the Sunrise application to begin its motion, by the controller's clock."""
 WAIT, FOLLOW, BRAKE = "wait", "follow", "brake"
 
 
@@ -209,11 +208,11 @@ class KukaSession(RobotSession):
             NotConnected: it does not begin, or begins another kind of motion.
         """
         link, speed = self._link, self.cell.limits.cartesian_speed_m_s
-        until = time.monotonic() + BEGIN_S
-        self._let_end(time.monotonic() + FIRST_S)
+        self._let_end()
         sample = self._newest()
+        until = self._time(sample) + BEGIN_S
         while sample.state != State.COMMANDING_ACTIVE:
-            if time.monotonic() > until:
+            if self._time(sample) > until:
                 code = UNBEGUN[min(sample.state, int(State.COMMANDING_WAIT))]
                 raise NotConnected(code, host=link.host, limit_s=BEGIN_S, quality=sample.quality)
             if sample.state == State.COMMANDING_WAIT:
@@ -224,10 +223,11 @@ class KukaSession(RobotSession):
         self._operation, self._worst_quality, self._external_at_begin = sample.operation, sample.quality, sample.external
         self._missed_at_begin, self.missed = self.missed + self._missed_at_begin, 0
 
-    def _let_end(self, until: float) -> None:
+    def _let_end(self) -> None:
         """A motion of before is not answered, so that the controller ends it."""
+        until = self._time(self._newest()) + FIRST_S
         while self._newest().state == State.COMMANDING_ACTIVE:
-            if time.monotonic() > until:
+            if self._time(self._newest()) > until:
                 raise NotConnected("kuka-commanded-already", host=self._link.host)
             self._answered = True
             self._next()

@@ -5247,8 +5247,8 @@ export interface components {
             /**
              * Send Period Ms
              * @description How often the controller sends, ms, as the Sunrise application sets it.
-             * @default 5
-             * @example 5
+             * @default 2
+             * @example 2
              */
             send_period_ms?: number;
             /**

@@ -105,7 +105,7 @@ def ipo(told: Message) -> np.ndarray:
 
 def start(version: int = 2) -> tuple[FriServer, int]:
     port = next(PORTS)
-    return FriServer(FriArm(CELL, seed=2, version=version), HOST, client=HOST, port=port, patience_s=1.0), port
+    return FriServer(FriArm(CELL, seed=2, period_ms=5, version=version), HOST, client=HOST, port=port, patience_s=1.0), port
 
 
 @pytest.fixture

@@ -54,7 +54,7 @@ class ArmTime(TrueTime):
 class KukaBench(Bench):
     def __init__(self, server: FriServer, listen: str, port: int) -> None:
         self.server, self.arm = server, server.arm
-        self.said = {"driver": "kuka_fri", "host": server.host, "listen": listen, "port": port, "sensor": SENSOR}
+        self.said = {"driver": "kuka_fri", "host": server.host, "listen": listen, "port": port, "send_period_ms": 5, "sensor": SENSOR}
         if self.arm.version == 1:
             self.said["pad"] = read_pad(self.arm)
 
@@ -105,7 +105,9 @@ def serve(request, monkeypatch, version: int) -> Iterator[KukaBench]:
     monkeypatch.setattr("core.sessions.kuka.LINK_S", 3.0)  # the computer that tests may be busy
     seed = abs(hash(request.node.nodeid))
     host, port = f"127.{30 + seed % 200}.{(seed >> 8) % 250}.{2 + (seed >> 16) % 250}", next(PORTS)
-    with FriServer(FriArm(CELL, CARRIED, seed=1, version=version), host, client=host, port=port, patience_s=PATIENCE_S) as server:
+    with FriServer(
+        FriArm(CELL, CARRIED, seed=1, period_ms=5, version=version), host, client=host, port=port, patience_s=PATIENCE_S
+    ) as server:
         yield KukaBench(server, host, port)
 
 
@@ -227,10 +229,10 @@ def test_a_line_that_stays_poor_is_told(bench, monkeypatch):
 
 
 def test_nobody_at_the_other_end_is_told_with_who_else_sends(bench, monkeypatch):
-    monkeypatch.setattr("core.sessions.kuka.FIRST_S", 0.3)
+    monkeypatch.setattr("core.sessions.kuka.FIRST_S", 2.0)
     with pytest.raises(NotConnected, match=rf"from the robot at 127\.29\.0\.2 .*but some from {bench.server.host}"):
         bench.alone(host="127.29.0.2").find_start()
-    with pytest.raises(NotConnected, match=r"within 0 s; nothing has moved"):
+    with pytest.raises(NotConnected, match=r"within 2 s; nothing has moved"):
         bench.alone(port=next(PORTS)).find_start()
 
 
