@@ -194,7 +194,9 @@ class IndependentChecker:
         local = pose(self._box.pose.xyz_m, self._box.pose.rpy_rad)
         found = [
             (
-                deepest_flight(self.payload, local, centre, poses, period, _convex(zone.shape), self._cell.gravity, self._cell.floor_z_m),
+                deepest_flight(
+                    self.payload, local, centre, poses, period, _standing(self._cell, zone).convex, self._cell.gravity, self._cell.floor_z_m
+                ),
                 zone.name,
             )
             for zone in self._cell.zones

@@ -66,7 +66,7 @@ class Zone(Model):
     """A protected zone: people may be anywhere in it; neither the robot nor a load that comes off may get into it."""
 
     name: Name = Field(description="Name of the zone.", examples=["operator"])
-    shape: Shape = Field(description="Its shape and place, world frame.")
+    shape: StandingShape = Field(description="Its shape and place, world frame.")
 
 
 class Friction(Model):
@@ -254,6 +254,12 @@ class Cell(Model):
         """Everything that the robot must keep away from: obstacles, then zones."""
         return [*self.obstacles, *self.zones]
 
+    @property
+    def standing_meshes(self) -> dict[str, Mesh]:
+        """Those of `standing` that are meshes, by the keys of their tables."""
+        tables = [("obstacles", each) for each in self.obstacles] + [("zones", each) for each in self.zones]
+        return {f"{table}.{each.name}": each.shape for table, each in tables if isinstance(each.shape, Mesh)}
+
     @cached_property
     def urdf(self) -> str:
         """Text of the robot's URDF."""
@@ -274,7 +280,7 @@ class Cell(Model):
         }
         return self.model_copy(update=moved)
 
-    def with_zone(self, name: str, shape: Shape | None) -> Cell:
+    def with_zone(self, name: str, shape: StandingShape | None) -> Cell:
         """The same cell with the zone of that name so, a new one at the end; without it where `shape` is None."""
         zones = {zone.name: zone for zone in self.zones}
         if shape is None:

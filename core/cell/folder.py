@@ -110,9 +110,8 @@ def _check_urdf(cell: Cell) -> None:
     urdf.check_shapes(cell.robot.base_frame, cell.robot.sensor_frame, cell.robot.visual_shapes)
     urdf.check_meshes(cell.folder)
     refuse(list(tool_flaws(cell, urdf)))
-    for obstacle in cell.obstacles:
-        if isinstance(obstacle.shape, Mesh):
-            check_mesh_file(cell.folder, obstacle.shape.file, cell.locate(f"obstacles.{obstacle.name}.shape.file"), BadCell)
+    for key, mesh in cell.standing_meshes.items():
+        check_mesh_file(cell.folder, mesh.file, cell.locate(f"{key}.shape.file"), BadCell)
 
 
 def _check_visual_shapes(cell: Cell, urdf: Urdf) -> None:

@@ -21,7 +21,7 @@ from core.errors import BadInput
 from core.new_cell.cell_text import NOT_STATED
 from core.new_cell.masses import G, weight_torques
 from core.payload.inertia import InertialParameters
-from core.robot.bodies import Body, corners_of, link_bodies, make_fixed_body, payload_body
+from core.robot.bodies import Body, corners_of, link_bodies, payload_body, standing_bodies
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.watched_pairs import OVERLAPPING
@@ -179,8 +179,9 @@ def _of_room(cell: Cell, robot: RobotModel, bodies: list[Body]) -> Iterator[Cell
         yield _doubt("floor_z_m", "newcell-floor-far-below", depth_m=lowest - cell.floor_z_m)
     shoulder = np.asarray(robot.model.jointPlacements[1].translation)
     span = reach + float(np.linalg.norm(corners_of([*bodies, payload_body(robot, cell.payload_box)]).local, axis=1).max())
+    standing = standing_bodies(cell)
     for zone in cell.zones:
-        distance = _distance(make_fixed_body(zone.name, zone.shape), shoulder)
+        distance = min(_distance(part, shoulder) for part in standing[zone.name])
         if distance < span:
             yield _doubt(f"zones.{zone.name}", "newcell-zone-within-reach", distance_m=max(distance, 0.0), reach_m=span)
 

@@ -128,4 +128,4 @@ class Mesh(Model):
 
 Shape = Annotated[Box | Sphere | Capsule | Cylinder, Field(discriminator="kind")]
 StandingShape = Annotated[Box | Sphere | Capsule | Cylinder | Mesh, Field(discriminator="kind")]
-"""Of what stands there and nobody draws with a finger."""
+"""Of what stands in a cell: also what nobody draws with a finger."""

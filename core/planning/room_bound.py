@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.planning.link_room import LinkRoom
-from core.planning.solid_distance import Solids, solid_distance
+from core.planning.solid_distance import BOX, CAPSULE, CYLINDER, POLYHEDRON, Solid, Solids, signed_distance
 from core.robot.bodies import Body
 from core.robot.chain import Chain, joint_frames
 from core.robot.collision import CollisionModel
@@ -25,8 +25,6 @@ ROUNDING_M = 1e-6
 """Coal's distances are as exact."""
 DIRECTIONS = np.array([way for way in product((-1.0, 0.0, 1.0), repeat=3) if any(way)])
 """(26, 3), in which the outermost points of a body are taken."""
-FLOOR_KIND = 3
-"""Of a half space, beside the kinds of `Solids`; its size is the direction that leads out of it."""
 
 
 @njit(cache=True)
@@ -36,7 +34,6 @@ def _least_room(
 ) -> Array:  # fmt: skip
     n = q.shape[1]
     R, p = np.empty((n + 1, 3, 3)), np.empty((n + 1, 3))
-    kind, size, at, origin = solids
     world = np.empty((len(points), 3))
     out = np.ones(len(q))
     for k in range(len(q)):
@@ -49,18 +46,7 @@ def _least_room(
             body, s = pairs[m]
             nearest = np.inf
             for i in range(first[body], first[body + 1]):
-                d0, d1, d2 = world[i, 0] - origin[s, 0], world[i, 1] - origin[s, 1], world[i, 2] - origin[s, 2]
-                if kind[s] == FLOOR_KIND:
-                    d = size[s, 0] * d0 + size[s, 1] * d1 + size[s, 2] * d2
-                else:
-                    d = solid_distance(
-                        kind[s],
-                        size[s],
-                        at[s, 0, 0] * d0 + at[s, 1, 0] * d1 + at[s, 2, 0] * d2,
-                        at[s, 0, 1] * d0 + at[s, 1, 1] * d1 + at[s, 2, 1] * d2,
-                        at[s, 0, 2] * d0 + at[s, 1, 2] * d1 + at[s, 2, 2] * d2,
-                    )
-                nearest = min(nearest, d - radius[i])
+                nearest = min(nearest, signed_distance(solids, s, world[i, 0], world[i, 1], world[i, 2]) - radius[i])
             room = (nearest + ROUNDING_M - required[m]) / share[m] + clearance
             out[k] = min(out[k], room / scale[m])
     return out
@@ -91,7 +77,7 @@ class RoomBound:
         self._required, self._share = collision.required_m[kept], collision.share[kept]
         scales = dict(zip(room.names, room.scale, strict=True))
         self._scale = np.array([scales[body.name] for body, _ in pairs])
-        self._solids = _solids_of([(thing, collision.placement_of(thing)) for thing in things])
+        self._solids = Solids.of([_solid_of(thing, collision.placement_of(thing)) for thing in things])
 
     def least(self, q: Array) -> Array:
         """(N,), what the least of D is at most at q (N, n); at most 1."""
@@ -126,27 +112,16 @@ def _points_of_geometry(geometry: Any) -> tuple[Array, float]:
     return corners[np.unique((corners @ DIRECTIONS.T).argmax(axis=0))], 0.0
 
 
-def _solids_of(things: list[tuple[Body, Any]]) -> Solids:
-    """Things where they are now, as arrays; the floor too."""
-    solids = [_solid_of(thing.geometry) for thing, _ in things]
-    return Solids(
-        np.array([kind for kind, _, _ in solids], dtype=np.int64),
-        np.array([size for _, size, _ in solids], dtype=float).reshape(-1, 3),
-        np.array([placement.rotation for _, placement in things]).reshape(-1, 3, 3),
-        np.array([placement.act(np.asarray(origin)) for (_, placement), (_, _, origin) in zip(things, solids, strict=True)]).reshape(-1, 3),
-    )
-
-
-def _solid_of(geometry: Any) -> tuple[int, Any, Any]:
-    """Kind and size as `solid_distance` takes them, and the origin in the thing's own frame."""
-    nowhere = np.zeros(3)
+def _solid_of(thing: Body, placement: Any) -> Solid:
+    """A thing where it is now; the floor too."""
+    R, p, geometry = np.array(placement.rotation), np.array(placement.translation), thing.geometry
     match geometry:
         case coal.Box():
-            return 0, geometry.halfSide, nowhere
+            return Solid(BOX, tuple(geometry.halfSide), R, p)
         case coal.Sphere():
-            return 1, (geometry.radius, 0.0, 0.0), nowhere
+            return Solid(CAPSULE, (geometry.radius, 0.0, 0.0), R, p)
         case coal.Capsule():
-            return 1, (geometry.radius, 0.0, geometry.halfLength), nowhere
+            return Solid(CAPSULE, (geometry.radius, 0.0, geometry.halfLength), R, p)
         case coal.Cylinder():
-            return 2, (geometry.radius, np.inf, geometry.halfLength), nowhere
-    return FLOOR_KIND, geometry.n, np.asarray(geometry.n) * geometry.d
+            return Solid(CYLINDER, (geometry.radius, np.inf, geometry.halfLength), R, p)
+    return Solid(POLYHEDRON, (0.0, 0.0, 0.0), R, p, np.append(geometry.n, geometry.d)[None])

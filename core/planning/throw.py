@@ -7,16 +7,18 @@ near it, and every corner as if it came off by itself. What the load does after 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from core.array import Array
-from core.cell.cell import Box, Cell
-from core.planning.solid_distance import Solids, solid_distance
+from core.cell.cell import Box, Cell, Mesh
+from core.payload.shapes import StandingShape
+from core.planning.solid_distance import Solid, Solids, signed_distance, solid_of_hull, solid_of_shape
+from core.robot.bodies import standing_parts
 from core.robot.model import SensorPose
 from core.robot.trajectory import AngularProfile
 
@@ -101,10 +103,7 @@ def _nearest_flight(
     radius: Array,
     gravity: Array,
     floor_z: float,
-    kind: NDArray[np.int64],
-    size: Array,
-    R: Array,
-    p: Array,
+    solids: Solids,
 ) -> tuple[float, int, int]:
     """Smallest distance of any flight to any shape, with its release and its shape.
 
@@ -125,15 +124,8 @@ def _nearest_flight(
                 if t > 0.0 and y2 < floor_z:
                     break
                 nearest = np.inf
-                for s in range(len(kind)):
-                    d0, d1, d2 = y0 - p[s, 0], y1 - p[s, 1], y2 - p[s, 2]
-                    d = solid_distance(
-                        kind[s],
-                        size[s],
-                        R[s, 0, 0] * d0 + R[s, 1, 0] * d1 + R[s, 2, 0] * d2,
-                        R[s, 0, 1] * d0 + R[s, 1, 1] * d1 + R[s, 2, 1] * d2,
-                        R[s, 0, 2] * d0 + R[s, 1, 2] * d1 + R[s, 2, 2] * d2,
-                    )
+                for s in range(len(solids.kind)):
+                    d = signed_distance(solids, s, y0, y1, y2)
                     nearest = min(nearest, d - radius[k])
                     if d - radius[k] < least:
                         least, release, shape = d - radius[k], m, s
@@ -143,14 +135,21 @@ def _nearest_flight(
     return least, release, shape
 
 
+def _solids_of(shape: StandingShape, parts: Sequence[Array]) -> list[Solid]:
+    """A zone's shape; of a mesh its convex parts."""
+    return [solid_of_hull(part, shape.pose) for part in parts] if isinstance(shape, Mesh) else [solid_of_shape(shape)]
+
+
 class ThrowCheck:
     """The flights of released loads in one cell."""
 
     def __init__(self, cell: Cell) -> None:
-        self._zones = cell.zones
+        parts = standing_parts(cell)
+        solids = [(zone.name, solid) for zone in cell.zones for solid in _solids_of(zone.shape, parts.get(zone.name, ()))]
+        self._names = [name for name, _ in solids]
         self._gravity = cell.gravity
         self._floor_z = cell.floor_z_m
-        self._solids = Solids.of([zone.shape for zone in cell.zones])
+        self._solids = Solids.of([solid for _, solid in solids])
 
     def nearest(self, loads: Loads, rotation: Array, position: Array) -> Throw | None:
         """The flight nearest to a zone when the motion starts with the sensor at a pose; None when the cell has no zones.
@@ -158,7 +157,7 @@ class ThrowCheck:
         Args:
             rotation, position: (3, 3) and (3,), the sensor in the world at the start of the motion.
         """
-        if not self._zones:
+        if not self._names:
             return None
         return self._nearest(replace(loads, position=position + loads.position @ rotation.T, velocity=loads.velocity @ rotation.T))
 
@@ -173,7 +172,7 @@ class ThrowCheck:
             sensor: (N, 3, 3) and (N, 3), in the world.
             period: between samples, s.
         """
-        if not self._zones:
+        if not self._names:
             return None
         loads = loads_along(box, sensor.rotation, sensor.position, period)
         moved, changed = (np.linalg.norm(np.diff(each, axis=0), axis=2).max(axis=1) for each in (loads.position, loads.velocity))
@@ -189,7 +188,7 @@ class ThrowCheck:
 
     def drop(self, box: Box, sensor: SensorPose) -> Throw | None:
         """The nearest flight of a load that comes off at rest, at any of some poses; None when the cell has no zones."""
-        if not self._zones:
+        if not self._names:
             return None
         points, radius = _list_flying_points(box)
         centres = sensor.position + sensor.rotation @ points[0]
@@ -198,9 +197,9 @@ class ThrowCheck:
     def _nearest(self, loads: Loads) -> Throw:
         """The flight nearest to a zone of loads given in the world."""
         x, v = np.ascontiguousarray(loads.position), np.ascontiguousarray(loads.velocity)
-        distance, m, k = _nearest_flight(x, v, loads.radius, self._gravity, self._floor_z, *self._solids)
+        distance, m, k = _nearest_flight(x, v, loads.radius, self._gravity, self._floor_z, self._solids)
         speed = float(np.linalg.norm(v[m], axis=1).max())
-        return Throw(self._zones[k].name, float(distance), float(loads.time[m]), speed)
+        return Throw(self._names[k], float(distance), float(loads.time[m]), speed)
 
     def _longest_fall_s(self, loads: Loads) -> float:
         """No point of the loads falls longer than this."""

@@ -16,7 +16,7 @@ from core.control.movers import Mover, Playback, StandStill
 from core.control.rotation import Rotation
 from core.errors import Held, Stopped
 from core.events import Event, PhaseStarted, Progress, RobotStopped, StepFinished, TargetReached
-from core.payload.shapes import Shape
+from core.payload.shapes import StandingShape
 from core.planning.joint_torques import Load
 from core.planning.plan import Leg, Plan
 from core.planning.settings import Planner
@@ -145,7 +145,7 @@ class Run:
             else:
                 return plan
 
-    def change_zone(self, name: str, shape: Shape | None) -> None:
+    def change_zone(self, name: str, shape: StandingShape | None) -> None:
         """A zone has moved, grown, come or gone (None): the guard sees it at its next look, later plans keep clear of it (world frame).
 
         To be called between two events.

@@ -13,7 +13,7 @@ from scipy.spatial import ConvexHull
 
 from core.array import Array
 from core.cell.cell import Box, Capsule, Cell, Cylinder, Mesh, Shape, Sphere
-from core.robot.bodies import LinkShape, collision_shapes, obstacle_parts, visual_shapes
+from core.robot.bodies import LinkShape, collision_shapes, standing_parts, visual_shapes
 from core.robot.model import RobotModel
 
 Faces = list[Array]
@@ -118,7 +118,7 @@ def place_faces(faces: Faces, rotation: Array, position: Array) -> Faces:
 
 
 def shape_faces(shape: Shape) -> Faces:
-    """A zone's shape, or that of an obstacle that is no mesh, in the world."""
+    """The shape of a zone or an obstacle that is no mesh, in the world."""
     match shape:
         case Box():
             faces = box_faces(np.array(shape.size_m))
@@ -137,7 +137,7 @@ def standing_faces(cell: Cell) -> dict[str, list[Faces]]:
     Raises:
         BadRobot: a mesh that cannot be used.
     """
-    parts = obstacle_parts(cell)
+    parts = standing_parts(cell)
     return {
         item.name: [place_faces(mesh_faces(part), item.shape.pose.rotation, item.shape.pose.translation) for part in parts[item.name]]
         if isinstance(item.shape, Mesh)

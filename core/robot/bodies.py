@@ -177,29 +177,29 @@ def standing_bodies(cell: Cell) -> dict[str, tuple[Body, ...]]:
     Raises:
         BadRobot: a mesh that cannot be used.
     """
-    parts = obstacle_parts(cell)
+    parts = standing_parts(cell)
     found = {}
     for item in cell.standing:
         if isinstance(item.shape, Mesh):
             placement = pin.SE3(item.shape.pose.rotation, item.shape.pose.translation)
             found[item.name] = tuple(Body(item.name, 0, _hull(part), placement) for part in parts[item.name])
         else:
-            found[item.name] = (make_fixed_body(item.name, item.shape),)
+            found[item.name] = (_fixed_body(item.name, item.shape),)
     return found
 
 
-def obstacle_parts(cell: Cell) -> dict[str, tuple[Array, ...]]:
-    """Corners (k, 3) of the convex parts that contain each obstacle that is a mesh, in the frame of its `pose`, m.
+def standing_parts(cell: Cell) -> dict[str, tuple[Array, ...]]:
+    """Corners (k, 3) of the convex parts that contain each obstacle or zone that is a mesh, in the frame of its `pose`, m.
 
     Raises:
         BadRobot: a mesh that cannot be used.
     """
-    meshes = [(item.name, item.shape) for item in cell.obstacles if isinstance(item.shape, Mesh)]
-    wanted = [WantedMesh(cell.locate(f"obstacles.{name}"), shape.file, shape.scale, solid=True) for name, shape in meshes]
-    return {name: mesh.parts for (name, _), mesh in zip(meshes, read_meshes(cell.folder, wanted), strict=True)}
+    meshes = cell.standing_meshes
+    wanted = [WantedMesh(cell.locate(key), shape.file, shape.scale, solid=True) for key, shape in meshes.items()]
+    return {key.partition(".")[2]: mesh.parts for key, mesh in zip(meshes, read_meshes(cell.folder, wanted), strict=True)}
 
 
-def make_fixed_body(name: str, shape: Shape) -> Body:
+def _fixed_body(name: str, shape: Shape) -> Body:
     """An obstacle or a zone that is no mesh."""
     return Body(name, 0, _coal(shape), pin.SE3(shape.pose.rotation, shape.pose.translation))
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import chain
+from itertools import chain, product
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,7 @@ from core.cell.body_name import name_body
 from core.cell.cell import Box, Cell, Pose
 from core.cell.contradictions import BASE_IN_OBSTACLE
 from core.errors import BadCell, NoRoomAtHome
-from core.payload.shapes import Shape
+from core.payload.shapes import StandingShape
 from core.robot.bodies import (
     FLOOR,
     PAYLOAD,
@@ -29,7 +29,6 @@ from core.robot.bodies import (
     corners_of,
     floor_body,
     link_bodies,
-    make_fixed_body,
     payload_body,
     reach_of,
     standing_bodies,
@@ -204,11 +203,12 @@ class CollisionModel:
         """Where an obstacle, a zone or the floor is now, world frame."""
         return self._placements.get(id(thing), thing.placement)
 
-    def change_zone(self, name: str, shape: Shape | None) -> None:
+    def change_zone(self, name: str, shape: StandingShape | None) -> None:
         """A zone is this now: another place, another size, a new one; None takes it away. World frame.
 
         Raises:
             BadCell: an obstacle has that name.
+            BadRobot: a mesh that cannot be used.
         """
         known = next((zone.shape for zone in self.cell.zones if zone.name == name), None)
         if known is None and name in self._things:
@@ -218,24 +218,25 @@ class CollisionModel:
             self.move(name, shape.pose)
             return
         if known is not None:
-            self._forget_zone(*self._things.pop(name))
+            self._forget_zone(name)
         if shape is not None:
-            self._add_zone(make_fixed_body(name, shape))
+            self._add_zone(name)
 
-    def _forget_zone(self, zone: Body) -> None:
-        self._zones = [each for each in self._zones if each is not zone]
-        self._why = {names: why for names, why in self._why.items() if names[1] != zone.name}
-        for body in self._moving:
+    def _forget_zone(self, name: str) -> None:
+        parts = self._things.pop(name)
+        self._zones = [each for each in self._zones if each.name != name]
+        self._why = {names: why for names, why in self._why.items() if names[1] != name}
+        for pair in product(self._moving, parts):
             for group in (*self._standing.values(), self._clear):
-                group.use((body, zone), wanted=False)
+                group.use(pair, wanted=False)
 
-    def _add_zone(self, zone: Body) -> None:
-        self._things[zone.name] = (zone,)
-        self._zones.append(zone)
-        pairs = [(body, zone) for body in self._moving]
+    def _add_zone(self, name: str) -> None:
+        parts = self._things[name] = standing_bodies(self.cell)[name]
+        self._zones.extend(parts)
+        pairs = [*product(self._moving, parts)]
         self._standing[Watch.CLEARANCE].add(pairs)
         self._clear.add([pair for pair in pairs if may_be_near(pair[0])])
-        self._watch_standing((zone,), zone.placement)
+        self._watch_standing(parts, parts[0].placement)
 
     def _own_pairs(self, bodies: list[Body]) -> dict[Watch, list[tuple[Body, Body]]]:
         """The pairs within the arm, by what they have to keep."""

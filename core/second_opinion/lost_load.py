@@ -13,13 +13,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
+import fcl
 import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array
-from core.cell.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
+from core.cell.cell import Box, Capsule, Cell, Cylinder, Mesh, Shape, Sphere
 from core.second_opinion.arm import Frames, frame_of_pose
 from core.second_opinion.least import find_least
+from core.second_opinion.solids import Solid, solids_of_standing
 
 RESOLUTION_M = 0.005
 """How far from the least distance its figure may be; the verdict is exact."""
@@ -29,6 +31,10 @@ MOMENTS = 48
 """Of a flight, before those parts of it that matter are looked at more closely."""
 FINER = 24
 LONGEST_S = 3.0
+NEAR_M = 0.1
+"""Nearer than this to the box round a mesh, its triangles are looked at."""
+POINT_M = 1e-6
+"""Radius of the ball that stands for a point."""
 
 
 class Flight(NamedTuple):
@@ -67,7 +73,11 @@ def nearest_flight(cell: Cell, payload_box: Box, sensor: Frames, period: float) 
     longest = max(fall.seconds(x[:, k], v[:, k]).max() for k in range(len(points)))
     changed = np.linalg.norm(np.diff(x, axis=0), axis=2) + longest * np.linalg.norm(np.diff(v, axis=0), axis=2)
     way = np.concatenate([[0.0], np.cumsum(changed.max(axis=1))]) if len(x) > 1 else np.zeros(1)
-    zones = [distance_to(zone.shape) for zone in cell.zones]
+    solids = solids_of_standing(cell)[len(cell.obstacles) :]
+    zones = [
+        distance_to_mesh(zone.shape, solid) if isinstance(zone.shape, Mesh) else distance_to(zone.shape)
+        for zone, solid in zip(cell.zones, solids, strict=True)
+    ]
 
     def margin(zone: int, sample: int) -> float:
         return fall.nearest(x[sample], v[sample], radius, zones[zone])
@@ -101,6 +111,27 @@ def distance_to(shape: Shape) -> Distance:
         case Cylinder():
             reach = np.array([shape.radius_m, 0.5 * shape.length_m])
             return lambda points: _outside(_in_half_plane(local(points)) - reach)
+
+
+def distance_to_mesh(mesh: Mesh, solid: Solid) -> Distance:
+    """The distance of points from the triangles of a zone, which no flight gets through unseen; never negative.
+
+    Farther than `NEAR_M` from the box round it, that from this box.
+    """
+    frame = frame_of_pose(mesh.pose)
+    return lambda points: _from_surface((points - frame.position) @ frame.rotation, solid)
+
+
+def _from_surface(points: Array, solid: Solid) -> Array:
+    """Of points (..., 3) in the solid's own frame."""
+    low, high = solid.corners.min(axis=0), solid.corners.max(axis=0)
+    apart = np.linalg.norm(np.maximum(np.maximum(low - points, points - high), 0.0), axis=-1)
+    tree, point = fcl.CollisionObject(solid.boundary.tree), fcl.CollisionObject(fcl.Sphere(POINT_M))
+    for where in zip(*np.nonzero(apart < NEAR_M), strict=True):
+        point.setTranslation(points[where])
+        found = fcl.distance(tree, point, fcl.DistanceRequest(), fcl.DistanceResult())
+        apart[where] = max(float(found), 0.0) + POINT_M
+    return np.asarray(apart)
 
 
 def _in_half_plane(points: Array) -> Array:

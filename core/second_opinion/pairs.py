@@ -9,9 +9,9 @@ from enum import StrEnum
 import numpy as np
 
 from core.array import Array
-from core.cell.cell import Cell, Mesh
+from core.cell.cell import Cell
 from core.second_opinion.arm import ArmBody, Frames, SolidArm, frame_of_pose
-from core.second_opinion.solids import PlacedSolid, Solid, box, distance, hull_distance, place, solid_of_shape, solids_of_meshes
+from core.second_opinion.solids import PlacedSolid, Solid, box, distance, hull_distance, place, solids_of_standing
 from core.words.message import Message
 
 FLOOR = "floor"
@@ -133,10 +133,8 @@ def place_bodies(arm: SolidArm, q: Array) -> list[Placed]:
 def place_standing(cell: Cell) -> list[Placed]:
     """Obstacles, zones and, last, the floor."""
     found = []
-    meshes = iter(solids_of_meshes([item.shape for item in cell.obstacles if isinstance(item.shape, Mesh)], cell.folder))
-    for item in cell.standing:
+    for item, solid in zip(cell.standing, solids_of_standing(cell), strict=True):
         pose = frame_of_pose(item.shape.pose)
-        solid = next(meshes) if isinstance(item.shape, Mesh) else solid_of_shape(item.shape)
         found.append(Placed(item.name, 0, solid, Frames(pose.rotation[None], pose.position[None])))
     x, y, _ = cell.robot.base.xyz_m
     middle = np.array([[x, y, cell.floor_z_m - 0.5 * BELOW_M]])

@@ -25,7 +25,7 @@ from scipy.optimize import nnls
 from scipy.spatial import ConvexHull, QhullError
 
 from core.array import Array
-from core.cell.cell import Box, Capsule, Cylinder, Mesh, Shape, Sphere
+from core.cell.cell import Box, Capsule, Cell, Cylinder, Mesh, Shape, Sphere
 from core.second_opinion.surfaces import Surface, read_surfaces, winding_number
 
 SIDES = 64
@@ -151,14 +151,16 @@ def solids_of_geometries(geometries: Sequence[ET.Element], folder: Path) -> list
     return [_of_surface(next(surfaces)) if geometry[0].tag == "mesh" else _primitive(geometry[0]) for geometry in geometries]
 
 
-def solids_of_meshes(meshes: Sequence[Mesh], folder: Path) -> list[Solid]:
-    """Of obstacles that are meshes in that folder, about the origins of their files.
+def solids_of_standing(cell: Cell) -> list[Solid]:
+    """Of obstacles, then zones, each about its own origin, a mesh about that of its file.
 
     Raises:
         BadRobot: a mesh that cannot be read here.
     """
-    surfaces = read_surfaces([folder / mesh.file for mesh in meshes], [np.array(mesh.scale) for mesh in meshes])
-    return [_of_surface(surface) for surface in surfaces]
+    meshes = [item.shape for item in cell.standing if isinstance(item.shape, Mesh)]
+    surfaces = iter(read_surfaces([cell.folder / mesh.file for mesh in meshes], [np.array(mesh.scale) for mesh in meshes]))
+    shapes = [item.shape for item in cell.standing]
+    return [_of_surface(next(surfaces)) if isinstance(shape, Mesh) else solid_of_shape(shape) for shape in shapes]
 
 
 def _of_surface(surface: Surface) -> Solid:

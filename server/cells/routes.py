@@ -14,7 +14,7 @@ from sqlalchemy.orm import Session
 from core.cell.cell import Cell
 from core.cell.folder import CellRead
 from core.errors import BadInput, BadTwin
-from core.payload.shapes import Shape
+from core.payload.shapes import StandingShape
 from core.words.message import Message
 from server.cells import zones
 from server.cells.archive import UPLOAD
@@ -50,8 +50,8 @@ class ZonePlace(Answer):
     moved_by: str = Field(description="Who moved, drew or removed it.", examples=["key:tracker"])
     measured_at: datetime = Field(description="When it was measured, by the clock of who did.", examples=["2026-03-01T08:00:00Z"])
     received_at: datetime = Field(description="When the service heard of it, by its own clock.", examples=["2026-03-01T08:00:00.120Z"])
-    previous: Shape | None = Field(description="How it was before, world frame; null where there was none.")
-    in_file: Shape | None = Field(description="How the cell's file has it, world frame; null where it has none of that name.")
+    previous: StandingShape | None = Field(description="How it was before, world frame; null where there was none.")
+    in_file: StandingShape | None = Field(description="How the cell's file has it, world frame; null where it has none of that name.")
 
 
 class CellPublic(Answer):
@@ -194,7 +194,7 @@ def _list_places(known: dict[str, ZonePosition], cell: Cell) -> list[ZonePlace]:
     return [place for place in places if place.zone in now or (place.previous or place.in_file) is not None]
 
 
-def _place(row: ZonePosition, in_file: Shape | None) -> ZonePlace:
+def _place(row: ZonePosition, in_file: StandingShape | None) -> ZonePlace:
     return ZonePlace(
         zone=row.zone,
         moves=row.moves,

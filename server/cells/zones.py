@@ -11,13 +11,13 @@ from sqlalchemy import String, Text, select
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from core.cell.cell import Cell
-from core.payload.shapes import Pose, Shape
+from core.payload.shapes import Pose, Shape, StandingShape
 from server.http.errors import Conflict, NotFound
 from server.store.store import Table
 
 Back = Literal["before", "file"]
 """To how a zone was before, or to how the cell's file has it."""
-SHAPES: TypeAdapter[Shape] = TypeAdapter(Shape)
+SHAPES: TypeAdapter[StandingShape] = TypeAdapter(StandingShape)
 GONE = "null"
 
 
@@ -44,22 +44,22 @@ def positions(db: Session, cell: str) -> dict[str, ZonePosition]:
     return {row.zone: row for row in db.scalars(select(ZonePosition).where(ZonePosition.cell == cell).order_by(ZonePosition.zone))}
 
 
-def shape_in_file(cell: Cell, zone: str) -> Shape | None:
+def shape_in_file(cell: Cell, zone: str) -> StandingShape | None:
     """How the cell's file has a zone; None where it has none of that name."""
     return next((each.shape for each in cell.zones if each.name == zone), None)
 
 
-def shape_now(row: ZonePosition, in_file: Shape | None) -> Shape | None:
+def shape_now(row: ZonePosition, in_file: StandingShape | None) -> StandingShape | None:
     """How the zone is now; None where there is none."""
     return _shape_of(row.place, in_file)
 
 
-def shape_before(row: ZonePosition, in_file: Shape | None) -> Shape | None:
+def shape_before(row: ZonePosition, in_file: StandingShape | None) -> StandingShape | None:
     """How the zone was before it became what it is now; None where there was none."""
     return _shape_of(row.previous, in_file)
 
 
-def find(db: Session, cell: Cell, zone: str) -> tuple[ZonePosition | None, Shape]:
+def find(db: Session, cell: Cell, zone: str) -> tuple[ZonePosition | None, StandingShape]:
     """What is kept of a zone, and how it is now.
 
     Args:
@@ -156,14 +156,14 @@ def _put(db: Session, row: ZonePosition, place: str, who: str, now: datetime, me
     return row
 
 
-def _dump(shape: Shape | None, in_file: Shape | None) -> str:
+def _dump(shape: StandingShape | None, in_file: StandingShape | None) -> str:
     """A shape as it is kept; of one that is the file's, only where it is: a corrected file corrects it too."""
     if shape is None:
         return GONE
     return shape.pose.model_dump_json() if shape == in_file else shape.model_dump_json()
 
 
-def _shape_of(kept: str | None, in_file: Shape | None) -> Shape | None:
+def _shape_of(kept: str | None, in_file: StandingShape | None) -> StandingShape | None:
     place = None if kept is None else json.loads(kept)
     if kept is None:
         return in_file
@@ -182,5 +182,5 @@ def with_zones_as_they_are(cell: Cell, rows: dict[str, ZonePosition]) -> Cell:
     return now
 
 
-def _with_pose(shape: Shape, pose: Pose) -> Shape:
+def _with_pose(shape: StandingShape, pose: Pose) -> StandingShape:
     return type(shape).model_validate({**shape.model_dump(), "pose": pose})  # made anew: a copy would keep its cached corners

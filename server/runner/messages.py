@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from core.cell.cell import Box, Cell, Payload, Shape
+from core.cell.cell import Box, Cell, Payload
 from core.errors import Lateness
 from core.estimation.result import Result
 from core.events import Event
+from core.payload.shapes import StandingShape
 from core.planning.settings import WHOLE, Planner, Scope, Timing
 from core.planning.stop import Stop
 from core.recording.order_reference import NO_ORDER, OrderReference
@@ -122,7 +123,7 @@ class ZoneChanged:
     """A protected zone is this now (world frame); None: there is none of that name any more."""
 
     zone: str
-    shape: Shape | None
+    shape: StandingShape | None
 
 
 ToChild = Renewal | Beat | PageLate | Release | Hold | Resume | End | ZoneChanged

@@ -18,7 +18,7 @@ from sqlalchemy.orm import Session
 
 from core.cell.cell import Cell
 from core.errors import HeftError, refuse
-from core.payload.shapes import Shape
+from core.payload.shapes import StandingShape
 from core.sessions.leased import Renewal
 from core.words.message import Message
 from server.cells.folder import CellFolder
@@ -117,7 +117,7 @@ class Conductor:
         if self._loop is not None:
             self._loop.call_soon_threadsafe(self._wake.set)
 
-    def tell_zone_change(self, cell: str, zone: str, shape: Shape | None) -> None:
+    def tell_zone_change(self, cell: str, zone: str, shape: StandingShape | None) -> None:
         """Tells the cell's run. From any thread."""
 
         def tell() -> None:

@@ -9,7 +9,7 @@ from pydantic import Field
 from sqlalchemy.orm import Session
 
 from core.errors import BadInput, BadZone, refuse
-from core.payload.shapes import Pose, Shape
+from core.payload.shapes import Pose, Shape, StandingShape
 from core.words.message import Message
 from server.cells import zones
 from server.cells.folder import CellFolder, CellsDep
@@ -78,8 +78,8 @@ class ZonePublic(Answer):
 
     cell: str = Field(description="Name of the cell.", examples=["lwr4_bench"])
     zone: str = Field(description="Name of the zone.", examples=["operator"])
-    shape: Shape | None = Field(description="Its shape, size and place, world frame; null where it was removed.")
-    previous: Shape | None = Field(description="The same before that; null where there was none.")
+    shape: StandingShape | None = Field(description="Its shape, size and place, world frame; null where it was removed.")
+    previous: StandingShape | None = Field(description="The same before that; null where there was none.")
     moves: int = Field(description="How often it has changed.", examples=[3])
     measured_at: datetime = Field(description="When it was measured, by the clock of who did.", examples=["2026-03-01T08:00:00Z"])
     received_at: datetime = Field(description="When the service heard of it, by its own clock.", examples=["2026-03-01T08:00:00.120Z"])

@@ -63,6 +63,11 @@ class Thing(NamedTuple):
     opacity: float
 
 
+def _parts(group: str, name: str, standing: dict[str, list[Faces]]) -> list[tuple[str, Faces]]:
+    """Node and faces of each body of something that stands there: of a mesh several, none of them in another."""
+    return [(f"/{group}/{name}{f'.{k}' if k else ''}", faces) for k, faces in enumerate(standing[name])]
+
+
 class ViewerScene:
     """One cell on one viser server."""
 
@@ -76,11 +81,7 @@ class ViewerScene:
         server.scene.add_grid("/floor", width=4.0, height=4.0, position=(0.0, 0.0, cell.floor_z_m))
         self._bodies: dict[str, viser.MeshHandle] = {}
         standing = standing_faces(cell)
-        self._obstacles = [
-            Thing(f"/obstacles/{it.name}{f'.{k}' if k else ''}", faces, SOLID, 1.0)  # of a mesh several parts, none of them in another
-            for it in cell.obstacles
-            for k, faces in enumerate(standing[it.name])
-        ]
+        self._obstacles = [Thing(*each, SOLID, 1.0) for item in cell.obstacles for each in _parts("obstacles", item.name, standing)]
         for obstacle in self._obstacles:
             self._mesh(*obstacle)
         self.things = self._obstacles
@@ -101,9 +102,10 @@ class ViewerScene:
     def show_zones(self, cell: Cell) -> None:
         """The protected zones as they are now."""
         self.cell = cell
-        for gone in {thing.node for thing in self.things[len(self._obstacles) :]} - {f"/zones/{zone.name}" for zone in cell.zones}:
+        standing = standing_faces(cell)
+        zones = [Thing(*each, ZONE, ZONE_OPACITY) for zone in cell.zones for each in _parts("zones", zone.name, standing)]
+        for gone in {thing.node for thing in self.things[len(self._obstacles) :]} - {zone.node for zone in zones}:
             self._bodies.pop(gone).remove()
-        zones = [Thing(f"/zones/{zone.name}", shape_faces(zone.shape), ZONE, ZONE_OPACITY) for zone in cell.zones]
         for zone in zones:
             self._mesh(*zone)
         self.things = [*self._obstacles, *zones]

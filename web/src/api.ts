@@ -10938,7 +10938,7 @@ export interface components {
              * Shape
              * @description Its shape and place, world frame.
              */
-            shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"];
+            shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"] | components["schemas"]["Mesh"];
         };
         /**
          * ZoneCheckCreate
@@ -11044,12 +11044,12 @@ export interface components {
              * Previous
              * @description How it was before, world frame; null where there was none.
              */
-            previous: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"]) | null;
+            previous: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"] | components["schemas"]["Mesh"]) | null;
             /**
              * In File
              * @description How the cell's file has it, world frame; null where it has none of that name.
              */
-            in_file: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"]) | null;
+            in_file: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"] | components["schemas"]["Mesh"]) | null;
         };
         /**
          * ZonePublic
@@ -11072,12 +11072,12 @@ export interface components {
              * Shape
              * @description Its shape, size and place, world frame; null where it was removed.
              */
-            shape: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"]) | null;
+            shape: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"] | components["schemas"]["Mesh"]) | null;
             /**
              * Previous
              * @description The same before that; null where there was none.
              */
-            previous: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"]) | null;
+            previous: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"] | components["schemas"]["Mesh"]) | null;
             /**
              * Moves
              * @description How often it has changed.

@@ -1,7 +1,7 @@
 import type { Zone, ZonePlace } from '../api';
 import { Press } from '../ui/press';
 import { words } from '../words';
-import { alike, placeOf, type Shape, sizeOf } from './shapes';
+import { alike, placeOf, type StandingShape, sizeOf } from './shapes';
 import { putZoneBack } from './shown-cell';
 
 interface Props {
@@ -37,7 +37,7 @@ export function ZoneBack({ zone, place }: Props) {
 }
 
 /** Where it would be, and how large where that changes too. */
-function whatDiffers(then: Shape, now: Shape): string {
+function whatDiffers(then: StandingShape, now: StandingShape): string {
   const sizes = sizeOf(then);
   return sizes === sizeOf(now) ? placeOf(then) : `${sizes}, ${placeOf(then)}`;
 }

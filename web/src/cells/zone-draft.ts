@@ -1,7 +1,7 @@
 import { computed, signal } from '@preact/signals';
 import type { Zone } from '../api';
 import { drawnZone } from '../run/view';
-import { alike, type Shape, type ShapeKind } from './shapes';
+import { alike, isDrawable, type Shape, type ShapeKind } from './shapes';
 import { looked, shownCell } from './shown-cell';
 
 /** A zone that somebody changes or draws: nothing of it counts before it is saved. */
@@ -30,6 +30,7 @@ export const changed = computed(() => {
 /** Takes up a zone that there is; what was taken up before and not saved is dropped. */
 export function takeUp(zone: Zone): void {
   drawing.value = null;
+  if (!isDrawable(zone.shape)) return;
   if (draft.value?.original?.name === zone.name) return;
   draft.value = { name: zone.name, original: zone, shape: zone.shape, past: [] };
 }

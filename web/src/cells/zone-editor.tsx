@@ -9,7 +9,7 @@ import { words } from '../words';
 import { Legend } from './cell-sketch';
 import type { Cell } from './cells';
 import type { ViewName } from './footprint';
-import { placeOf, type ShapeKind, sizeOf } from './shapes';
+import { isDrawable, placeOf, type ShapeKind, sizeOf } from './shapes';
 import { deleteZone, putZoneBack } from './shown-cell';
 import { ZoneBack } from './zone-back';
 import { ZoneChanging } from './zone-changing';
@@ -148,12 +148,13 @@ function ZoneTile({ zone, shown }: { zone: Zone; shown: CellPublic }) {
         {sizeOf(zone.shape)}, {said.centre(placeOf(zone.shape))}
       </p>
       <p class="hint">
+        {!isDrawable(zone.shape) && `${own.fromFile} `}
         {place ? own.drawnBy(nameOf(place.moved_by), moment(place.received_at)) : said.asFile}
       </p>
       {may('engineer', 'operator') && (
         <>
           <div class="row">
-            <Press act={() => takeUp(zone)}>{own.change}</Press>
+            {isDrawable(zone.shape) && <Press act={() => takeUp(zone)}>{own.change}</Press>}
             <AskFirst
               label={own.remove}
               question={own.removeAsk(zone.name)}

@@ -34,6 +34,7 @@ export const zones: typeof en.zones = {
   turn: 'Gedreht',
   badNumber: 'Geben Sie eine Zahl ein, etwa 1,35 oder 1.35',
   badLength: 'Geben Sie mindestens 0,02 m ein',
+  fromFile: 'Ein Netz: Sein Ort steht in cell.toml oder wird von einem Programm verfolgt.',
   leans: 'Diese Zone ist geneigt: Im Bild lässt sie sich verschieben; ihre Größe steht in cell.toml.',
   save: 'Zone speichern',
   saved: (zone) => `Zone ${zone} wurde gespeichert.`,

@@ -32,6 +32,7 @@ export const zones = {
   turn: 'Turned',
   badNumber: 'Enter a number, such as 1.35 or 1,35',
   badLength: 'Enter at least 0.02 m',
+  fromFile: 'A mesh: its place is set in cell.toml, or by a program that follows people.',
   leans: 'This zone leans: the picture moves it; its size is set in cell.toml.',
   save: 'Save zone',
   saved: (zone: string) => `Zone ${zone} was saved.`,
