@@ -6,6 +6,7 @@ from datetime import UTC, datetime
 from typing import Any
 
 import pytest
+import trimesh
 from fastapi.testclient import TestClient
 
 from server.cells.zones import positions, with_zones_as_they_are
@@ -266,6 +267,25 @@ def test_a_zone_of_the_file_is_deleted_and_its_file_brings_it_back(signed_in: As
     assert operator.delete(ZONE).status_code == 404
     assert operator.post(f"{ZONE}/undo", json={"to": "file"}).status_code == 200
     assert shown_at(operator) == IN_FILE
+
+
+def test_a_zone_that_is_a_mesh_is_followed_deleted_and_brought_back_but_not_drawn(signed_in: As, service: Service) -> None:
+    folder = service.cells.load("lwr4_bench").folder
+    trimesh.creation.box((0.6, 0.8, 1.8)).export(folder / "people.stl")
+    mesh = {"kind": "mesh", "file": "people.stl", "pose": {"xyz_m": [-1.6, 0.5, 0.9]}}
+    with (folder / "cell.toml").open("a") as file:
+        file.write('\n[[zones]]\nname = "people"\nshape = { kind = "mesh", file = "people.stl", pose.xyz_m = [-1.6, 0.5, 0.9] }\n')
+    operator, people = signed_in(Role.operator), f"{CELL}/zones/people"
+    there = {"pose": {"xyz_m": [-1.5, 0.4, 0.9]}, "measured_at": "2026-03-01T08:00:00Z"}
+    followed = operator.put(people, json=there)
+    assert (followed.status_code, followed.json()["shape"]["file"], followed.json()["flaws"]) == (200, "people.stl", []), followed.text
+    assert zones_of(operator)["people"]["pose"]["xyz_m"] == [-1.5, 0.4, 0.9]
+    assert operator.delete(people).status_code == 200
+    assert list(zones_of(operator)) == ["operator"]
+    assert operator.post(f"{people}/undo", json={"to": "file"}).json()["shape"]["pose"]["xyz_m"] == [-1.6, 0.5, 0.9]
+    drawn = operator.post(f"{CELL}/zones", json={"name": "drawn", "shape": mesh})
+    assert drawn.status_code == 422
+    assert list(zones_of(operator)) == ["operator", "people"]
 
 
 def test_a_zone_that_was_resized_here_keeps_its_size_when_a_tracker_moves_it(signed_in: As, clock: Clock) -> None:
