@@ -23,6 +23,9 @@ from bench.calibration.trial import Trial, run_trial
 from bench.calibration.weighing import FILE, Provenance, Weights
 from core.trial.batch import on_cluster, on_cores
 
+FEWEST = 2
+"""Trials that have to teach something: each is tried on what was learnt from the others."""
+
 
 def read_trials(path: Path) -> list[Trial]:
     """Those of earlier runs; a last line that was cut off is left out."""
@@ -91,7 +94,10 @@ def main() -> None:
     done = {trial.seed for trial in read_trials(path)}
     wanted = [seed for seed in range(arguments.first, arguments.first + arguments.count) if seed not in done]
     run_trials(path, wanted, arguments.workers, arguments.dask)
-    weights = learn_weights(read_trials(path))
+    trials = read_trials(path)
+    if sum(can_teach(trial) for trial in trials) < FEWEST:
+        sys.exit(f"{len(trials)} trials, of which {sum(can_teach(trial) for trial in trials)} teach anything: at least {FEWEST} have to")
+    weights = learn_weights(trials)
     print(weights.model_dump_json(indent=2))
     if arguments.write:
         FILE.write_text(weights.model_dump_json(indent=2) + "\n", encoding="utf-8")

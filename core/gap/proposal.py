@@ -44,6 +44,11 @@ class Proposal:
         return clear, (self.after - self.before) / self.seconds if clear else self.after
 
     @property
+    def alone(self) -> float:
+        """Distance that the motion by itself puts between the two of the worst tie, sigma."""
+        return float(np.sqrt(max(0.0, self.after**2 - self.before**2)))
+
+    @property
     def answer(self) -> Experiment:
         """As it leaves the engine."""
         return Experiment(
@@ -58,17 +63,23 @@ class Proposal:
 
 
 def proposals(recording: Recording, windows: Windows, ties: Sequence[Tie]) -> tuple[Proposal, ...]:
-    """What to do about ties, best first; the second payload alone where no motion splits the worst of them."""
-    if not ties:
+    """What to do about ties, best first; the second payload alone where no motion splits the worst of them.
+
+    Nothing where all of them are clear already: what is in doubt then is the shape of the models, and no motion settles that. A motion is
+    proposed only where it alone puts the worst tie apart by what makes two explanations separable; what both recordings reach together may
+    be what the first has already.
+    """
+    open_ones = [tie for tie in ties if tie.distance_sigma < CLEAR_SIGMA]
+    if not open_ones:
         return ()
     tried = [
-        predict_by_kinematics(recording, windows, motion, ties)
+        predict_by_kinematics(recording, windows, motion, open_ones)
         for motion in candidates(recording, windows.basis.segments, windows.basis.poses.g)
     ]
-    useful = sorted((it for it in tried if it.after >= INSEPARABLE_SIGMA), key=lambda it: it.worth, reverse=True)
+    useful = sorted((it for it in tried if it.alone >= INSEPARABLE_SIGMA), key=lambda it: it.worth, reverse=True)
     if useful:
         return tuple(useful[:FEWEST])
-    worst = min(ties, key=lambda tie: tie.distance_sigma)
+    worst = min(open_ones, key=lambda tie: tie.distance_sigma)
     return (_with_second_payload(recording, worst, max((it.after for it in tried), default=worst.distance_sigma)),)
 
 

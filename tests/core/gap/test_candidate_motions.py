@@ -157,6 +157,13 @@ def test_without_ties_nothing_is_proposed():
     assert proposals(recorded(), windows, []) == ()
 
 
+def test_what_is_clear_already_needs_no_motion_and_one_that_adds_nothing_is_not_proposed():
+    windows, (delay, lowpass) = fitted(recorded())
+    assert proposals(recorded(), windows, [Tie(delay, lowpass, 7.0)]) == ()
+    (instead,) = proposals(recorded(), windows, [Tie(delay, delay, 5.0)])  # both recordings together would reach 5 without any motion
+    assert not instead.motion.stops
+
+
 def test_a_recording_of_poses_without_joints_is_rehearsed_too():
     poses = poses_of(recorded())
     bare = Recording(t=recorded().t, gravity=CELL.gravity, orientation=poses.rotation, position=poses.position)
