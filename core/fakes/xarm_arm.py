@@ -151,7 +151,7 @@ class XarmArm:
             self.target = self.target + np.clip(self._wanted - self.target, -reach, reach)
         self._fresh = False
         # A curve with steps in its velocity has an acceleration of its own in each period. A report that always comes at the same place of
-        # the period then tells the force of another moment than the positions do (with parabolas 3.3 ms earlier, and 0.3 % less mass).
+        # the period then tells the force of another moment than the positions do (with parabolas 3 to 4 ms earlier, and 0.3 % less mass).
         self._path.append(self.target)
         steps = round(self.period / DRIVES)
         s = (1.0 + np.arange(steps)) / steps
