@@ -100,7 +100,6 @@ def serve_kuka(
     port: Annotated[int, typer.Option(metavar="PORT", min=1, max=65535, help="UDP port there, session.port.")] = FRI_PORT,
     period: Annotated[int, typer.Option(metavar="MS", min=1, max=10, help="How often it sends, session.send_period_ms.")] = 2,
     fri: Annotated[int, typer.Option(metavar="N", min=1, max=2, help="Version of FRI: 1 tells no pose of its own, 2 does.")] = 2,
-    patience: PatienceOption = None,
 ) -> None:
     """A KUKA LBR over FRI with the cell's virtual robot, and an ATI Net F/T box on its flange (RDT 49152, pages 8049)."""
     loaded = load_cell(find_cell(cell))
@@ -108,7 +107,7 @@ def serve_kuka(
     arm = FriArm(loaded, carried.parameters, seed, period_ms=period, version=fri)
     if arm.n != 7:
         raise BadInput("cell", "cli-fake-not-seven-joints", count=arm.n)
-    server = FriServer(arm, host, client=client, port=port, patience_s=patience)
+    server = FriServer(arm, host, client=client, port=port)
     with _tell_no_address(host, f"{RDT_PORT}, {PAGES_PORT}"), server, _make_box(lambda: arm.samples[-1].wrench, loaded):
         messages.print(find_wording().say("cli-fake-sends", host=host, client=client, port=str(port), period=period), soft_wrap=True)
         messages.print(find_wording().say("cli-fake-serves-ati", rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)
