@@ -1,15 +1,15 @@
-"""Slow changes of the sensor's offset: a random walk and flicker noise in the covariance of the windows.
+"""Slow changes of the sensor's offset: a trend, a random walk and flicker noise in the covariance of the windows.
 
-With the offset o, the walk w, the flicker f and white noise e the windowed wrench of one channel is
+With the offset o, the trend s, the walk w, the flicker f and white noise e the windowed wrench of one channel is
 
-    y_k = x_k beta + o + w_k + f_k + e_k,
+    y_k = x_k beta + o + s_k + w_k + f_k + e_k,
 
 white noise, flicker (1/f) and walk being what the noise of sensors is usually taken to be made of (IEEE Std 952, Allan variance). Flicker
 is a sum of Ornstein-Uhlenbeck processes whose time constants are a decade apart; what is slower than the slowest is the walk's. Behind an
-annihilating filter over neighbouring windows all of them have a banded covariance, however long the recording is. The first row of the
-filter is the first window itself, where the walk begins with zero. After a pause the offset may jump, since a sensor may be tared in one:
-that is a variance of its own, and tells nothing about the sizes of the others, which the restricted likelihood finds
-(`core.estimation.variance_search`).
+annihilating filter over neighbouring windows these have a banded covariance, however long the recording is; what warms up or cools down
+over all of it is a trend, of low rank (`core.estimation.trend`). The first row of the filter is the first window itself, where the walk
+begins with zero. After a pause the offset may jump, since a sensor may be tared in one: that is a variance of its own, and tells nothing
+about the sizes of the others, which the restricted likelihood finds (`core.estimation.variance_search`).
 """
 
 from __future__ import annotations
@@ -24,10 +24,12 @@ from scipy.interpolate import BSpline
 
 from core.array import Array
 from core.estimation.annihilating_filter import AnnihilatingFilter
-from core.estimation.banded import BAND, multiply, solve_transposed, whiten
+from core.estimation.banded import BAND
 from core.estimation.noise import WrenchNoise
+from core.estimation.trend import FoundTrend, Trend
 from core.estimation.variance_search import Channel, VarianceSearch
 from core.estimation.weak_form import WeakForm
+from core.estimation.window_covariance import Factor, WindowCovariance
 from core.recording.recording import PAUSE_S
 
 STEP_STD = np.repeat([1.0, 0.05], 3)
@@ -41,33 +43,48 @@ FIRST_WALK, LEAST_WALK = 0.03, 1e-4
 """Times the noise of a sample that the offset walks in a second: where the search begins, and what counts as no walk."""
 FIRST_FLICKER, LEAST_FLICKER = 0.03, 1e-3
 """Times the noise of a sample: standard deviation of each of the flicker's processes, likewise."""
+FIRST_TREND, LEAST_TREND = 0.01, 1e-3
+"""Times the noise of a sample: standard deviation of the trend's first order, likewise."""
+MOST_TREND = 10.0
+"""Times `STEP_STD`, at most: 10 N, 0.5 N m."""
 
 
 @dataclass(frozen=True)
 class Drift:
-    """What flicker and walk of unit size and jumps of unit variance make of K windows behind a filter.
+    """What flicker, walk and trend of unit size and jumps of unit variance make of K windows behind a filter.
 
     Args:
         flicker, walk: (b, K), lower bands of their covariances; the walk's in s.
         jumps: (b, K), the same of a unit jump at each pause.
+        trend: between which instants it is smooth; `shared`: (K, p), its columns.
     """
 
     filter: AnnihilatingFilter
     flicker: Array
     walk: Array
     jumps: Array
+    trend: Trend
+    shared: Array
 
-    def covariance(self, sizes: Array, channel: int) -> Array:
-        """(b, K), lower bands, of a channel of these sizes (2,): variance of each of the flicker's processes, N², and rate of the walk."""
-        flicker, walk = sizes
-        return np.asarray(flicker * self.flicker + walk * self.walk + STEP_STD[channel] ** 2 * self.jumps)
+    def covariance(self, sizes: Array, channel: int) -> WindowCovariance:
+        """Of a channel of these sizes (3,): variance of each of the flicker's processes, N², rate of the walk, variance of the trend."""
+        flicker, walk, trend = sizes
+        bands = flicker * self.flicker + walk * self.walk + STEP_STD[channel] ** 2 * self.jumps
+        return WindowCovariance(np.asarray(bands), np.sqrt(trend) * self.shared)
+
+    @property
+    def parts(self) -> tuple[WindowCovariance, ...]:
+        """Of unit size, in their order."""
+        nothing, zero = self.shared[:, :0], np.zeros((1, len(self.shared)))
+        return WindowCovariance(self.flicker, nothing), WindowCovariance(self.walk, nothing), WindowCovariance(zero, self.shared)
 
 
 def drift_in(form: WeakForm) -> Drift:
     """The drift in the windows of a recording; where rows are poses of their own nobody knows what was between them, and there is none."""
+    trend = Trend(float(form.centres[0]), float(form.centres[-1]))
     if form.static:
         nothing = np.zeros((len(form.gram[0]), len(form)))
-        return Drift(AnnihilatingFilter.identity(len(form)), nothing, nothing, nothing)
+        return Drift(AnnihilatingFilter.identity(len(form)), nothing, nothing, nothing, trend, np.zeros((len(form), trend.orders)))
     knots = np.rint((form.centres - form.centres[0]) / form.spacing)
     filtering = AnnihilatingFilter.of(knots, FLICKER_KNOTS)
     count, seen = BAND + filtering.reach, BAND + 2 * filtering.reach
@@ -77,7 +94,8 @@ def drift_in(form: WeakForm) -> Drift:
     flicker = sum(filtering.covariance(covariance_of_exponential(lags, each), count) for each in FLICKER_KNOTS)
     starts = form.poses.t[1:][np.diff(form.poses.t) > PAUSE_S]
     part = np.searchsorted(starts, form.centres)
-    return Drift(filtering, np.asarray(flicker), walk, _jumps_in(filtering, np.flatnonzero(np.diff(part, prepend=0)), count))
+    jumps = _jumps_in(filtering, np.flatnonzero(np.diff(part, prepend=0)), count)
+    return Drift(filtering, np.asarray(flicker), walk, jumps, trend, filtering.apply(trend.columns(form.centres)))
 
 
 def _lags(knots: Array, count: int) -> Array:
@@ -126,7 +144,7 @@ def flicker_between_means(length: float, spacing: float) -> float:
 
 
 def begin_search(form: WeakForm, noise: WrenchNoise) -> VarianceSearch:
-    """Of white noise, flicker and walk.
+    """Of white noise, flicker, walk and trend.
 
     White noise is between that of a sample and what correlation between the samples of a hold would make of it: how much of that is flicker
     is found. The holds bound the others, see `WrenchNoise.fastest_walk`.
@@ -134,13 +152,13 @@ def begin_search(form: WeakForm, noise: WrenchNoise) -> VarianceSearch:
     variance = noise.std**2
     within = noise.seen_s * noise.fastest_walk * 2.0 / 3.0
     most_flicker = within / flicker_between_means(noise.seen_s, form.spacing) if not form.static else np.zeros(6)
-    first = np.column_stack((noise.variance, FIRST_FLICKER**2 * variance, FIRST_WALK**2 * variance))
-    least = np.column_stack((variance, LEAST_FLICKER**2 * variance, LEAST_WALK**2 * variance))
-    return VarianceSearch(first, least, np.column_stack((noise.variance, most_flicker, noise.fastest_walk)))
+    first = np.column_stack((noise.variance, *np.multiply.outer(np.square([FIRST_FLICKER, FIRST_WALK, FIRST_TREND]), variance)))
+    least = np.column_stack((variance, *np.multiply.outer(np.square([LEAST_FLICKER, LEAST_WALK, LEAST_TREND]), variance)))
+    return VarianceSearch(first, least, np.column_stack((noise.variance, most_flicker, noise.fastest_walk, (MOST_TREND * STEP_STD) ** 2)))
 
 
 def variance_between(flicker: Array, walk: Array, noise: Array, t: Array, seen: Array, spacing: float) -> Array:
-    """(N, 6), variance of the drift at times t (N,) about a straight line between the nearest of the times at which it was seen (K,).
+    """(N, 6), variance of all but the trend at times t (N,) about a straight line between the nearest times at which it was seen (K,).
 
     Args:
         flicker, walk: (6,), variance of each process and rate. noise: (6,), spectral density of the white noise that they were seen
@@ -158,12 +176,13 @@ def variance_between(flicker: Array, walk: Array, noise: Array, t: Array, seen: 
 
 @dataclass(frozen=True)
 class Levelled:
-    """Unknowns and their covariance with mean offsets, the drift (K, 6) about these, and the uncertainty (6,) of its range."""
+    """Unknowns and their covariance with mean offsets, the drift (K, 6) about these, the uncertainty (6,) of its range, and its trend."""
 
     x: Array
     covariance: Array
     drift: Array
     drift_std: Array
+    trend: FoundTrend
 
 
 def level_offsets(x: Array, covariance: Array, channels: Sequence[Channel], drift: Drift, sizes: Array, offset: slice) -> Levelled:
@@ -171,30 +190,36 @@ def level_offsets(x: Array, covariance: Array, channels: Sequence[Channel], drif
 
     Args:
         x, covariance: (m,) and (m, m), of all unknowns, of which the rows `offset` are the six offsets.
-        sizes: (6, 2), flicker and walk.
+        sizes: (6, 3), flicker, walk and trend.
     """
-    count = drift.walk.shape[1]
+    count, orders = drift.shared.shape
     to_mean, added, x = np.eye(len(x)), np.zeros(len(x)), x.copy()
     moved, spread = np.zeros((count, 6)), np.zeros(6)
+    size, of_size = np.zeros((6, orders)), np.zeros((6, orders, orders))
     change = np.zeros((count, 2))
     change[:, 0], change[0, 1], change[-1, 1] = 1.0 / count, -1.0, 1.0
     change = drift.filter.undo_transposed(change)
     for c, channel in enumerate(channels):
-        bands, rows, at = drift.covariance(sizes[c], c), channel.rows, offset.start + c
-        passed = multiply(bands, solve_transposed(channel.factor, channel.residual[:, None]))
+        slow, rows, at = drift.covariance(sizes[c], c), channel.rows, offset.start + c
+        known = covariance[np.ix_(rows, rows)]
+        passed = slow.multiply(channel.factor.solve_transposed(channel.residual[:, None]))
         moved[:, c] = drift.filter.undo(passed)[:, 0]
-        mean, mean_left = _predict(channel.factor, bands, change[:, 0])
-        last, last_left = _predict(channel.factor, bands, change[:, 1])
+        mean, mean_left = _predict(channel.factor, slow, change[:, 0])
+        last, last_left = _predict(channel.factor, slow, change[:, 1])
         x[at] += moved[:, c].mean()
         to_mean[at, rows] -= mean @ channel.columns
         added[at] = mean_left
         along = last @ channel.columns
-        spread[c] = np.sqrt(last_left + along @ covariance[np.ix_(rows, rows)] @ along)
-    return Levelled(x, to_mean @ covariance @ to_mean.T + np.diag(added), moved - moved.mean(axis=0), spread)
+        spread[c] = np.sqrt(last_left + along @ known @ along)
+        gain = sizes[c, 2] * channel.factor.whiten(drift.shared)
+        size[c], missed = gain.T @ channel.residual, gain.T @ channel.columns
+        of_size[c] = sizes[c, 2] * np.eye(orders) - gain.T @ gain + missed @ known @ missed.T
+    trend = FoundTrend(drift.trend, size, of_size)
+    return Levelled(x, to_mean @ covariance @ to_mean.T + np.diag(added), moved - moved.mean(axis=0), spread, trend)
 
 
-def _predict(factor: Array, bands: Array, weights: Array) -> tuple[Array, float]:
+def _predict(factor: Factor, slow: WindowCovariance, weights: Array) -> tuple[Array, float]:
     """The sum of weights (K,) times what passes of the drift: gain (K,) on whitened residuals, and the variance that is left."""
-    of_sum = multiply(bands, weights[:, None])
-    gain = whiten(factor, of_sum)[:, 0]
+    of_sum = slow.multiply(weights[:, None])
+    gain = factor.whiten(of_sum)[:, 0]
     return gain, max(float(weights @ of_sum[:, 0] - gain @ gain), 0.0)

@@ -5,7 +5,7 @@ Solved is, for the windowed wrench y and the windowed regressor V(delay, tilt),
     min over (phi, offset, tilt, delay, b) of
         sum over channels |y - V(delay, tilt) phi - offset - G(phi) b|^2 in the metric C^-1  +  priors,
     C = noise of the wrench * Gram of the windows  +  noise of the kinematics * Gram of their second differences
-        +  flicker noise and random walk of the offset (`core.estimation.drift`),
+        +  flicker noise, random walk and trend of the offset (`core.estimation.drift`),
 
 by damped Gauss-Newton. The noise of the kinematics enters the wrench through the payload's own spatial inertia, as
 `M(phi) (da, dalpha)`. It also sits in the regressor and in the columns of gains and cross-talk, where it would shrink the parameters; that
@@ -21,7 +21,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array
-from core.estimation.banded import factorise, invert, whiten
 from core.estimation.budget import Budget, Source
 from core.estimation.determination import SIZE_M, find_determined
 from core.estimation.drift import Levelled, begin_search, drift_in, level_offsets
@@ -36,8 +35,10 @@ from core.estimation.nuisances import (
     find_evidence,
     improve_strength,
 )
+from core.estimation.trend import FoundTrend
 from core.estimation.variance_search import Channel, slope_of
 from core.estimation.weak_form import WeakForm
+from core.estimation.window_covariance import WindowCovariance
 from core.payload.inertia import InertialParameters, spatial_inertia
 
 TILT = slice(10, 12)
@@ -76,7 +77,8 @@ class Fit:
         repeatability: (10, 10), covariance of phi with the nuisances as they are.
         directions: (10, b), how far phi is off when a nuisance is off by its standard uncertainty and the fit goes on as it did.
         drift: (K, 6), at the windows' centres; `drift_std`: (6,), of its range.
-        sizes: (6, 3), of each channel's white noise, N² of a sample, of its flicker, N² of each process, and of its walk, N²/s.
+        trend: of the drift, what it does where there are no windows.
+        sizes: (6, 4), of each channel's white noise, N² of a sample, its flicker, N² of each process, its walk, N²/s, and its trend, N².
         whitened: (6, K), residuals with unit variance when the model holds.
         scale: (6,), factor on the noise variance that the residuals asked for, 1 where the model holds.
         noise: of one sample.
@@ -92,6 +94,7 @@ class Fit:
     centres: Array
     drift: Array
     drift_std: Array
+    trend: FoundTrend
     sizes: Array
     whitened: Array
     scale: Array
@@ -109,6 +112,12 @@ class Fit:
     def b(self) -> Array:
         """(b,), nuisances in units of their standard uncertainty."""
         return self.x[OFFSET.stop :]
+
+    def drift_at(self, t: Array) -> tuple[Array, Array]:
+        """(N, 6) at times t (N,), and the variance (N, 6) that its trend has where there are no windows near."""
+        lines = np.column_stack([np.interp(t, self.centres, each) for each in self.drift.T])
+        bent, variance = self.trend.between(t, self.centres)
+        return lines + bent, variance
 
     @property
     def budget(self) -> Budget:
@@ -238,18 +247,17 @@ class _Problem:
         whitened = np.array([at.residual for at in self.channels])
         return Fit(
             level.x, level.covariance, repeatability, directions,
-            self.form.centres, level.drift, level.drift_std, self.search.sizes.copy(), whitened, np.ones(6), self.noise,
+            self.form.centres, level.drift, level.drift_std, level.trend, self.search.sizes.copy(), whitened, np.ones(6), self.noise,
             nuisances=held, strength=self.strength.copy(), converged=converged and within,
         )  # fmt: skip
 
     def _improve_sizes(self, scale: Array) -> None:
         """One step towards the sizes of the parts of the noise that maximise the restricted likelihood, where the model holds."""
-        parts = self.white, self.drift.flicker, self.drift.walk
+        parts = WindowCovariance(self.white, self.drift.shared[:, :0]), *self.drift.parts
         for c, channel in enumerate(() if self.form.static else self.channels):
             sought = self.search.sought(c)
             if scale[c] == 1.0 and len(sought):
-                bands = [parts[k] for k in sought]
-                self.search.improve(c, slope_of(self.search.sizes[c, sought], bands, channel, self.solution.plain))
+                self.search.improve(c, slope_of(self.search.sizes[c, sought], [parts[k] for k in sought], channel, self.solution.plain))
 
     def level(self, covariance: Array, x: Array) -> Levelled:
         """The drift, and the unknowns with the offsets' mean over the recording, where the last linearisation has their first value."""
@@ -273,16 +281,17 @@ class _Problem:
             # slow windows see no noise of the pose: a little of the sensor's keeps the matrix regular when there is next to none
             kinematic = self.pose_gram.find_variance_through(M[c])
             sensor = max(self.search.sizes[c, 0] * scale[c], LEAST_SENSOR_SHARE * float((kinematic[0] / self.white[0]).max()))
-            factor = factorise(sensor * self.white + kinematic + self.drift.covariance(self.search.sizes[c, 1:], c))
+            slow = self.drift.covariance(self.search.sizes[c, 1:], c)
+            factor = WindowCovariance(sensor * self.white + kinematic + slow.bands, slow.columns).factorise()
             own = [seen.shared[:, c], np.ones((len(self.y), 1))]
             if self.nuisances is not None:
                 own += [seen.beside[:, c], self.nuisances.of_channel(c, seen.load)]
             passed = self.drift.filter.apply(np.column_stack((*own, seen.target[:, c])))
-            w, rows = whiten(factor, passed), self._rows_of_channel(c)
+            w, rows = factor.whiten(passed), self._rows_of_channel(c)
             white.append((factor, w, rows))
             normal[np.ix_(rows, rows)] += w[:, :-1].T @ w[:, :-1]
             right[rows] += w[:, :-1].T @ w[:, -1]
-            self._add_bias(bias, c, seen.likely, self.pose_gram.trace_with(invert(factor)))
+            self._add_bias(bias, c, seen.likely, self.pose_gram.trace_with(factor.inverse))
         self.system = normal, right, bias
         covariance, x = self._with_priors()
         self.std = np.sqrt(np.diag(covariance)[:10])

@@ -189,7 +189,7 @@ def _paper(recording: Recording, poses: Poses, wrench: Array, still: Bools, nois
 def _series(poses: Poses, wrench: Array, motion: Motion, corrected: Corrected) -> TimeSeries:
     """Measured and reconstructed at the same times; the reconstruction is delayed like the measurement, and has all that was found."""
     found, t = corrected.found, poses.t
-    drift = np.column_stack([np.interp(t, found.centres, found.drift[:, c]) for c in range(6)])
+    drift, _ = found.drift_at(t)
     predicted = rigid_wrench(motion, found.phi)
     if found.nuisances is not None:
         seen, _ = smooth_motion(found.nuisances.correct(poses, found.b), window_s=SMOOTHING_S)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array
-from core.estimation.banded import invert, multiply, solve_transposed, trace, whiten
+from core.estimation.window_covariance import Factor, WindowCovariance, bands_of_product
 
 LONGEST_STEP = np.log(100.0)
 """By which the logarithm of a size changes at once."""
@@ -28,10 +28,10 @@ class Channel:
     """One channel's equations for what passes the filter over its windows, whitened.
 
     Args:
-        factor: (b, K), of its covariance. columns: (K, n), of the unknowns `rows` (n,). residual: (K,).
+        factor: of its covariance. columns: (K, n), of the unknowns `rows` (n,). residual: (K,).
     """
 
-    factor: Array
+    factor: Factor
     columns: Array
     rows: NDArray[np.intp]
     residual: Array
@@ -58,29 +58,26 @@ class Slope:
         return np.clip(found, -LONGEST_STEP, LONGEST_STEP)
 
 
-def slope_of(sizes: Array, parts: Sequence[Array], channel: Channel, covariance: Array) -> Slope:
+def slope_of(sizes: Array, parts: Sequence[WindowCovariance], channel: Channel, covariance: Array) -> Slope:
     """Of one channel.
 
     Args:
-        sizes: (p,). parts: (b, K) each, lower bands of what a part of unit size adds. covariance: (m, m), of all unknowns.
+        sizes: (p,). parts: what a part of unit size adds. covariance: (m, m), of all unknowns.
     """
-    known = covariance[np.ix_(channel.rows, channel.rows)]
-    u = solve_transposed(channel.factor, np.column_stack((channel.residual, channel.columns)))
-    projection = invert(channel.factor) - _bands_of_product(u[:, 1:] @ known, u[:, 1:], len(channel.factor))
-    moved = np.column_stack([multiply(bands, u[:, :1]) for bands in parts])
-    seen = np.maximum(u[:, 0] @ moved, LEAST)
-    expected = np.maximum([float(trace(projection, bands)) for bands in parts], LEAST)
-    white = whiten(channel.factor, moved)
+    known, factor = covariance[np.ix_(channel.rows, channel.rows)], channel.factor
+    u = factor.solve_transposed(np.column_stack((channel.residual, channel.columns)))
+    bands = max(len(part.bands) for part in parts)
+    projection = factor.inverse[:bands] - bands_of_product(u[:, 1:] @ known, u[:, 1:], min(bands, len(factor.inverse)))
+    moved = np.column_stack([part.multiply(u[:, :1]) for part in parts])
+    common = [part.columns for part in parts]
+    white = factor.whiten(np.column_stack((moved, *common)))
     along = white.T @ channel.columns
-    return Slope(seen / expected, (white.T @ white - along @ known @ along.T) * sizes / seen[:, None])
-
-
-def _bands_of_product(x: Array, y: Array, count: int) -> Array:
-    """(count, K), lower bands of `y x'` for two (K, n)."""
-    found = np.zeros((count, len(x)))
-    for d in range(min(count, len(x))):
-        found[d, : len(x) - d] = np.einsum("ki,ki->k", y[d:], x[: len(x) - d])
-    return found
+    passed = np.einsum("ki,ki->i", white, white) - np.einsum("in,nm,im->i", along, known, along, optimize=True)
+    ends = np.cumsum([len(parts), *(each.shape[1] for each in common)])
+    expected = [part.trace_with(projection) + passed[a:b].sum() for part, a, b in zip(parts, ends, ends[1:], strict=False)]
+    seen, n = np.maximum(u[:, 0] @ moved, LEAST), len(parts)
+    share = white[:, :n].T @ white[:, :n] - along[:n] @ known @ along[:n].T
+    return Slope(seen / np.maximum(expected, LEAST), share * sizes / seen[:, None])
 
 
 class VarianceSearch:

@@ -77,9 +77,9 @@ def prediction(form: WeakForm, found: Fit) -> tuple[Array, Array]:
         # the features are turned already
         others[found.nuisances.mount] = 0.0
     J = np.concatenate((V, features.tilt_columns(found.phi, tilt), late[..., None], constant, beside), axis=2)
-    drift = np.column_stack([np.interp(form.centres, found.centres, found.drift[:, c]) for c in range(6)])
-    white, flicker, walk = found.sizes.T
-    drifted = variance_between(flicker, walk, white * form.poses.period, form.centres, found.centres, form.spacing)
+    drift, of_trend = found.drift_at(form.centres)
+    white, flicker, walk, _ = found.sizes.T
+    drifted = of_trend + variance_between(flicker, walk, white * form.poses.period, form.centres, found.centres, form.spacing)
     uncertainty = np.einsum("kci,ij,kcj->kc", J, found.covariance, J, optimize=True) + drifted
     return V @ found.phi + found.x[OFFSET] + drift + beside @ others, uncertainty
 

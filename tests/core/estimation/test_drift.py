@@ -7,7 +7,6 @@ import pytest
 from scipy.interpolate import BSpline
 
 from core.estimation.annihilating_filter import AnnihilatingFilter
-from core.estimation.banded import factorise, whiten
 from core.estimation.drift import (
     FLICKER_KNOTS,
     STEP_STD,
@@ -22,8 +21,10 @@ from core.estimation.drift import (
 from core.estimation.generalised_least_squares import fit
 from core.estimation.kinematics import Poses
 from core.estimation.noise import WrenchNoise
+from core.estimation.trend import Trend
 from core.estimation.variance_search import Channel
 from core.estimation.weak_form import WeakForm
+from core.estimation.window_covariance import WindowCovariance
 from tests.core.estimation.test_generalised_least_squares import GRAVITY, STD, swinging, true_phi
 
 K = 120
@@ -77,14 +78,15 @@ def test_nothing_of_the_slow_covariances_lies_beyond_the_bands_and_in_a_pause_th
     np.testing.assert_allclose(dense(drift.walk), D @ walk @ D.T, atol=1e-8)
     after = (form.centres > 30.0).astype(float)
     np.testing.assert_allclose(dense(drift.jumps), np.outer(D @ after, D @ after), atol=1e-8)
-    added = drift.covariance(np.zeros(2), 4)
-    np.testing.assert_allclose(added, STEP_STD[4] ** 2 * drift.jumps)
+    added = drift.covariance(np.zeros(3), 4)
+    np.testing.assert_allclose(added.bands, STEP_STD[4] ** 2 * drift.jumps)
+    assert not added.columns.any()
 
 
 def test_rows_that_are_poses_do_not_drift() -> None:
     t = 0.002 * np.arange(400)
     drift = drift_in(WeakForm(resting(t).poses, still_only=np.ones(len(t), dtype=bool)))
-    assert not drift.walk.any() and not drift.flicker.any() and not drift.jumps.any()
+    assert not drift.walk.any() and not drift.flicker.any() and not drift.jumps.any() and not drift.shared.any()
 
 
 def test_neighbouring_means_of_flicker_differ_as_simulated_ones_do() -> None:
@@ -96,21 +98,23 @@ def test_neighbouring_means_of_flicker_differ_as_simulated_ones_do() -> None:
 
 
 def test_the_estimate_its_covariance_and_the_predicted_drift_are_those_of_the_dense_matrices() -> None:
-    rng, sizes, k = np.random.default_rng(9), np.array([0.3, 0.05]), np.arange(float(K))
+    rng, sizes, k = np.random.default_rng(9), np.array([0.3, 0.05, 0.7]), np.arange(float(K))
     filtering = AnnihilatingFilter.of(k, (5.0,))
     D = filtering.apply(np.eye(K))
     walk, decay = np.minimum.outer(k, k), np.exp(-np.abs(np.subtract.outer(k, k)) / 5.0)
     bands = [np.array([np.pad(np.diag(D @ S @ D.T, -d), (0, d)) for d in range(3)]) for S in (decay, walk)]
-    drift = Drift(filtering, bands[0], bands[1], np.zeros((3, K)))
-    slow = sizes[0] * decay + sizes[1] * walk
+    smooth = np.polynomial.legendre.legvander(np.linspace(-1.0, 1.0, K), 4)[:, 1:] * [1.0, 1 / 4, 1 / 9, 1 / 16]
+    drift = Drift(filtering, bands[0], bands[1], np.zeros((3, K)), Trend(0.0, K - 1.0), D @ smooth)
+    slow = sizes[0] * decay + sizes[1] * walk + sizes[2] * smooth @ smooth.T
     C = NOISE**2 * np.eye(K) + slow
     X = np.column_stack((np.sin(0.3 * k), rng.normal(size=K), np.ones(K)))
     y = X @ [2.0, -1.0, 5.0] + np.linalg.cholesky(C) @ rng.normal(size=K)
     information = X.T @ np.linalg.solve(C, X)
     beta = np.linalg.solve(information, X.T @ np.linalg.solve(C, y))
     predicted = slow @ np.linalg.solve(C, y - X @ beta)
-    factor = factorise(filtering.covariance(NOISE**2 * np.ones((1, K)), 3) + drift.covariance(sizes, 0))
-    w = whiten(factor, filtering.apply(np.column_stack((X, y))))
+    added = drift.covariance(sizes, 0)
+    factor = WindowCovariance(filtering.covariance(NOISE**2 * np.ones((1, K)), 3) + added.bands, added.columns).factorise()
+    w = factor.whiten(filtering.apply(np.column_stack((X, y))))
     covariance = np.linalg.inv(w[:, :-1].T @ w[:, :-1])
     x = covariance @ w[:, :-1].T @ w[:, -1]
     np.testing.assert_allclose(x, beta, rtol=1e-7)
@@ -131,6 +135,11 @@ def test_the_estimate_its_covariance_and_the_predicted_drift_are_those_of_the_de
     ends[0], ends[-1] = -1.0, 1.0
     assert found.covariance[2, 2] == pytest.approx(variance(np.array([0.0, 0.0, 1.0]), mean))
     assert found.drift_std[0] == pytest.approx(np.sqrt(variance(np.zeros(3), ends)))
+    # the trend alone: its coefficients given y, and what is not known of them
+    of_trend = sizes[2] * smooth.T @ np.linalg.solve(C, np.eye(K) - X @ gain)
+    np.testing.assert_allclose(found.trend.coefficients[0], of_trend @ y, atol=1e-8)
+    left = sizes[2] * np.eye(4) - sizes[2] * of_trend @ smooth
+    np.testing.assert_allclose(found.trend.covariance[0], left, atol=1e-8)
 
 
 def test_between_two_sights_the_walk_is_a_bridge_and_after_the_last_it_walks_away() -> None:
@@ -145,8 +154,8 @@ def test_between_two_sights_the_walk_is_a_bridge_and_after_the_last_it_walks_awa
     np.testing.assert_allclose(flicker, [0.0, 0.4], atol=1e-9)
 
 
-def swung(seconds: float = 10.0) -> tuple[WeakForm, np.ndarray]:
-    t, R, wrench = swinging(0.002, seconds, 1.5)
+def swung(seconds: float = 10.0, period: float = 0.002) -> tuple[WeakForm, np.ndarray]:
+    t, R, wrench = swinging(period, seconds, 1.5)
     return WeakForm(Poses(t, R, np.zeros((len(t), 3)), GRAVITY, np.zeros((6, 6)))), wrench
 
 
@@ -166,6 +175,63 @@ def test_a_walk_of_the_sensor_is_found_with_its_rate_and_the_intervals_scatter_a
         assert np.abs(found.drift - (seen - seen.mean(axis=0))).max() < 0.5 * np.ptp(seen)
     assert 0.75 < np.sqrt(np.mean(np.square(z))) < 1.3
     assert np.mean(rates) == pytest.approx(1.0, rel=0.25)
+
+
+def warmed(t: np.ndarray) -> np.ndarray:
+    """(N, 6), a warm-up of 20 times the noise."""
+    return np.asarray(20.0 * STD * (1.0 - np.exp(-2.0 * t / t[-1]))[:, None])
+
+
+def test_after_a_warm_up_the_intervals_scatter_as_they_say_and_are_hardly_wider_than_beside_four_unknown_waves() -> None:
+    """The bound: nothing is known of the coefficients of each channel's polynomials; tilt and delay are as unknown as to the fit."""
+    form, wrench = swung(40.0, 0.01)
+    t = form.poses.t
+    features, rate = form.features(0.0)
+    V, late = features.regressor(np.zeros(2)), rate.regressor(np.zeros(2)) @ true_phi()
+    V = np.concatenate((V, features.tilt_columns(true_phi(), np.zeros(2)), late[..., None]), axis=2)
+    whole = np.diag(np.concatenate((np.zeros(10), [0.05**-2, 0.05**-2, 0.02**-2], np.full(30, 1e-9))))
+    W = form.average(np.eye(len(t)))
+    C, ramp = W @ W.T, form.average(warmed(t))
+    waves = np.polynomial.legendre.legvander(np.linspace(-1.0, 1.0, len(V)), 4)
+    for c in range(6):
+        X = np.column_stack((V[:, c], np.kron(np.eye(6)[c], waves)))
+        whole += X.T @ np.linalg.solve(STD[c] ** 2 * C, X)
+    least = np.sqrt(np.diag(np.linalg.inv(whole))[:10])
+    z, widths = [], []
+    for seed in range(6):
+        seen = wrench + warmed(t) + STD * np.random.default_rng(seed).normal(size=wrench.shape)
+        found = fit(form, seen, WrenchNoise(STD, np.ones(6), True))
+        assert found.converged
+        std = np.sqrt(np.diag(found.covariance)[:10])
+        z.append((found.phi - true_phi()) / std)
+        widths.append(std / least)
+        assert np.abs(found.drift - (ramp - ramp.mean(axis=0))).max() < 0.1 * np.ptp(ramp)
+    assert 0.75 < np.sqrt(np.mean(np.square(z))) < 1.3
+    assert np.mean(widths, axis=0).max() < 1.3
+
+
+def test_where_there_are_no_windows_the_trend_goes_on_as_it_has_begun() -> None:
+    form, wrench = swung(40.0, 0.01)
+    t = form.poses.t
+    seen = wrench + warmed(t) + STD * np.random.default_rng(1).normal(size=wrench.shape)
+    found = fit(WeakForm(form.poses, within=(t < 16.0) | (t > 28.0)), seen, WrenchNoise(STD, np.ones(6), True))
+    between = np.linspace(17.0, 27.0, 9)
+    at, variance = found.drift_at(between)
+    line = np.column_stack([np.interp(between, found.centres, each) for each in found.drift.T])
+    truth = warmed(t)[0] + 20.0 * STD * (1.0 - np.exp(-2.0 * between / t[-1]))[:, None]
+    error, of_line = (each - truth + (truth - each).mean(axis=0) for each in (at, line))
+    assert np.abs(error).max() < 4.0 * np.sqrt(variance.max()) + 0.2 * STD.max()
+    assert np.square(error / STD).mean() < 0.3 * np.square(of_line / STD).mean()
+
+
+def test_a_recording_as_short_as_the_robots_motions_has_no_trend_and_a_longer_one_the_more_orders_the_longer_it_is() -> None:
+    orders = [Trend(3.0, 3.0 + lasts_s).orders for lasts_s in (0.0, 6.0, 12.0, 25.0, 60.0, 3600.0)]
+    assert orders == [0, 0, 1, 2, 4, 4]
+    bare = swung(6.0)
+    found = fit(bare[0], bare[1] + STD * np.random.default_rng(2).normal(size=bare[1].shape), WrenchNoise(STD, np.ones(6), True))
+    bent, variance = found.trend.between(np.linspace(0.0, 6.0, 5), found.centres)
+    assert not bent.any()
+    assert not variance.any()
 
 
 def pink(rng: np.random.Generator, count: int) -> np.ndarray:
