@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
-from typing import Self
+from typing import NamedTuple, Self
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from core.errors import NoStartConfiguration, TooHeavy
 from core.planning.candidates import Candidates, CandidateSearch, Weights
 from core.planning.certificate import is_clear
 from core.planning.effort import GRID_ROUNDS
-from core.planning.grid import draw_postures, first_grid, second_grid
+from core.planning.grid import Postures, draw_postures, first_grid, second_grid
 from core.planning.joint_torques import HOLDING_SHARE, JointTorques
 from core.planning.pair_margins import PairMargins
 from core.planning.rotation_room import Obstruction, RotationCheck, Turn
@@ -30,6 +30,9 @@ from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile
 from core.robot.watched_pairs import ROOM_M
 from core.words.message import Message
+
+TIGHT_ROOM_M = 0.002
+"""What starts and rotations keep beyond every required distance where none keeps `ROOM_M`: more than the controller's way differs by."""
 
 LIMIT_MARGIN_RAD = 0.05
 """Start configurations and rotations keep this far from the joint limits."""
@@ -113,8 +116,9 @@ class Checks:
         rotation: AngularProfile | None,
         limits: tuple[Array, Array],
         torques: JointTorques | None = None,
+        room_m: float = ROOM_M,
     ) -> None:
-        self._torques = torques
+        self._torques, self._room_m = torques, room_m
         self._cell, self._robot, self._collision = cell, robot, collision
         self._margins = PairMargins(collision)
         self._throw = ThrowCheck(cell)
@@ -152,9 +156,9 @@ class Checks:
 
     def _check(self, q: Array, clearance: float) -> tuple[Array, Throw | None] | Message:
         """The path of the rotation (K, n) and the worst throw, or the reason for the refusal."""
-        if clearance < self._cell.limits.clearance_m + ROOM_M:
+        if clearance < self._cell.limits.clearance_m + self._room_m:
             return Message.of("planning-rejected-obstacle", body=name_body(self._cell, self._collision.obstacle_distance(q).second))
-        if self._collision.self_room(q) < ROOM_M:
+        if self._collision.self_room(q) < self._room_m:
             first, second = self._tightest(q[None])
             return Message.of("planning-rejected-bodies", first=first, second=second)
         self._with_room += 1
@@ -164,7 +168,7 @@ class Checks:
         path = q[None] if self._rotation is None else self._rotation(q)
         if isinstance(path, Obstruction):
             return OBSTRUCTIONS[path]
-        if len(path) > 1 and not is_clear(self._margins, path, ROOM_M):
+        if len(path) > 1 and not is_clear(self._margins, path, self._room_m):
             first, second = self._tightest(path)
             return Message.of("planning-rejected-rotation-bodies", first=first, second=second)
         return path, throw
@@ -240,24 +244,44 @@ def find_start_configuration(
     axis, direction = attitude.name, attitude.down
     down = cell.gravity / np.linalg.norm(cell.gravity)
     limits = (robot.lower + LIMIT_MARGIN_RAD, robot.upper - LIMIT_MARGIN_RAD)
-    checks = Checks(cell, robot, collision, attitude.about, attitude.rotation, limits, torques)
+    checks, tight = (
+        Checks(cell, robot, collision, attitude.about, attitude.rotation, limits, torques, room_m) for room_m in (ROOM_M, TIGHT_ROOM_M)
+    )
     search = CandidateSearch(cell, robot, collision, limits=limits, near=near, diameter=2.0 * float(collision.reach[0]), weights=weights)
-    everything: list[Candidates] = []
+    rounds: list[_Round] = []
     for k in range(grid.rounds):
         postures = draw_postures(robot, rng, grid.postures, limits=limits, near=near, axis=direction, gravity=down)
         vertices, spacing = first_grid(postures, grid.vertices * 2**k)
-        first = search.at(vertices, postures, grid.per_vertex)
-        everything.append(first)
-        best = _first_accepted(first, checks)
-        if best is not None:
-            finer = second_grid(vertices[first.vertex[best.row]], spacing, grid.per_side)
-            second = search.at(finer, postures, grid.per_vertex)
-            everything.append(second)
-            better = _first_accepted(second, checks, above=float(first.score[best.row]))
-            chosen = (first, best) if better is None else (second, better)
-            return _describe_start(axis, *chosen, collision, sum(candidates.tried for candidates in everything))
-    checks.refuse_too_weak(axis)
-    raise _refusal(axis, everything, checks, collision)
+        rounds.append(_Round(postures, vertices, spacing, search.at(vertices, postures, grid.per_vertex)))
+        if (found := _find_best(rounds[-1], search, checks, grid)) is not None:
+            break
+    if found is None:
+        found = next((best for each in rounds if (best := _find_best(each, search, tight, grid)) is not None), None)
+    if found is None:
+        checks.refuse_too_weak(axis)
+        raise _refusal(axis, [each.candidates for each in rounds], checks, collision)
+    tried = sum(each.candidates.tried for each in rounds) + grid.per_side**3 * grid.per_vertex
+    return _describe_start(axis, *found, collision, tried)
+
+
+class _Round(NamedTuple):
+    """The candidates of a first grid, and what they were made of."""
+
+    postures: Postures
+    vertices: Array
+    spacing: float
+    candidates: Candidates
+
+
+def _find_best(made: _Round, search: CandidateSearch, checks: Checks, grid: Grid) -> tuple[Candidates, Accepted] | None:
+    """The best candidate of a first grid that passes every check, or a better one of the second grid round it."""
+    first = made.candidates
+    best = _first_accepted(first, checks)
+    if best is None:
+        return None
+    second = search.at(second_grid(made.vertices[first.vertex[best.row]], made.spacing, grid.per_side), made.postures, grid.per_vertex)
+    better = _first_accepted(second, checks, above=float(first.score[best.row]))
+    return (first, best) if better is None else (second, better)
 
 
 def _first_accepted(candidates: Candidates, checks: Checks, above: float = -np.inf) -> Accepted | None:

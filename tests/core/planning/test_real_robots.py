@@ -49,6 +49,15 @@ def test_a_real_robot_is_planned_without_violation_or_cannot_be_planned(robot: s
     assert not (judgement.refusal and judgement.solvable), judgement.line
 
 
+@pytest.mark.thorough
+def test_an_arm_that_finds_a_centimetre_of_room_nowhere_is_planned_with_less() -> None:
+    """Between its own bodies: Talos with a box that reaches back beside the wrist."""
+    judgement = judge("talos", 4)
+    assert judgement.refusal == ""
+    assert judgement.violations == ()
+    assert 0.0 < judgement.least_margin_m < 0.01
+
+
 def test_the_search_tells_what_can_be_solved_from_what_cannot() -> None:
     """A tool 0.8 m long under a zone 1.05 m above the floor: it can lie, but neither stand nor hang."""
     cell = load_cell(CELLS / "lwr4_bench")

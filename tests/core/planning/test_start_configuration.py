@@ -18,6 +18,7 @@ from core.planning.link_room import LinkRoom
 from core.planning.start_configuration import (
     LIMIT_MARGIN_RAD,
     ROOM_M,
+    TIGHT_ROOM_M,
     UNREACHABLE,
     Attitude,
     Checks,
@@ -183,7 +184,9 @@ def test_in_narrow_cells_it_is_as_good_as_brute_force(seed):
     [(0, 0.9, 1.3, ("payload", "pillar"), 0.03), (5, 1.05, 1.9, ("link7", "link5"), 0.01)],
     ids=["to what stands", "within the arm"],
 )
-def test_a_start_keeps_a_hundredth_of_a_metre_beyond_every_required_distance(fcl_scene, joint, least, most, pair, required_m):
+def test_a_start_keeps_a_hundredth_of_a_metre_beyond_every_required_distance_and_two_millimetres_where_no_other_is_found(
+    fcl_scene, joint, least, most, pair, required_m
+):
     """Home with one joint turned until another library finds the required distance, and so much more, between two that come near."""
     cell = load_cell(ROOT / "cells" / "lwr4_bench")
     pillar = Obstacle(name="pillar", shape=Box(size_m=(0.1, 0.1, 3.0), pose=Pose(xyz_m=(0.0, 0.6, 0.75))))
@@ -199,14 +202,15 @@ def test_a_start_keeps_a_hundredth_of_a_metre_beyond_every_required_distance(fcl
     def distance(angle: float) -> float:
         return scene.between(turned(angle), *pair) if pair[1] != "pillar" else scene.to_environment(turned(angle))[pair]
 
-    def kept(beyond_m: float) -> bool:
+    def kept(beyond_m: float, room_m: float) -> bool:
         angle = brentq(lambda at: distance(at) - required_m - beyond_m, least, most)
-        checks = Checks(cell, robot, collision, np.eye(3)[2], None, limits)
+        checks = Checks(cell, robot, collision, np.eye(3)[2], None, limits, room_m=room_m)
         accepted = checks.check_candidate(search.of(turned(angle)[None]), 0) is not None
         assert accepted or any(f"too close to {name_body(cell, name)}" in str(reason) for reason in checks.rejected for name in pair)
         return accepted
 
-    assert [kept(beyond) for beyond in (-0.005, 0.002, 0.009, 0.011, 0.015)] == [False, False, False, True, True]
+    assert [kept(beyond, ROOM_M) for beyond in (-0.005, 0.002, 0.009, 0.011, 0.015)] == [False, False, False, True, True]
+    assert [kept(beyond, TIGHT_ROOM_M) for beyond in (-0.005, 0.001, 0.003, 0.009)] == [False, False, True, True]
 
 
 def rejected(refusal: NoStartConfiguration) -> dict[Message, int]:
