@@ -132,7 +132,9 @@ class KukaRobot(RealRobot):
 
     driver: Literal["kuka_fri"] = Field(description="Which driver.", examples=["kuka_fri"])
     listen: Host = Field(
-        default="0.0.0.0", description="Address of this computer to which the controller sends; any where nobody has said."
+        default="0.0.0.0",
+        description="Address of this computer to which the controller sends; any where nobody has said.",
+        examples=["192.170.10.1"],
     )
     port: Port = Field(default=30200, description="UDP port of this computer to which the controller sends.", examples=[30200])
     send_period_ms: Annotated[int, Field(ge=1, le=10)] = Field(

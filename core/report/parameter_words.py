@@ -73,6 +73,7 @@ CODES = {
     "swinging_inertia": "report-of-swinging-inertia",
     "taper": "report-of-taper",
     "time_constant": "report-of-time-constant",
+    "torque_offset": "report-of-torque-offset",
     "turning_load_log_ratio": "report-of-turning-load-log-ratio",
     "turning_spread_log_ratio": "report-of-turning-spread-log-ratio",
     "twist_cube": "report-of-twist-cube",

@@ -5235,6 +5235,7 @@ export interface components {
              * Listen
              * @description Address of this computer to which the controller sends; any where nobody has said.
              * @default 0.0.0.0
+             * @example 192.170.10.1
              */
             listen?: string;
             /**

@@ -344,6 +344,7 @@ report-of-stiffness = Steifigkeit
 report-of-swinging-inertia = schwingende Trägheit
 report-of-taper = Verlauf
 report-of-time-constant = Zeitkonstante
+report-of-torque-offset = Nullpunkt des Moments
 report-of-turning-load-log-ratio = Umkehrlast (log)
 report-of-turning-spread-log-ratio = Streuung der Umkehrlast (log)
 report-of-twist-cube = Verdrehung, kubisch

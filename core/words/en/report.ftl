@@ -346,6 +346,7 @@ report-of-stiffness = stiffness
 report-of-swinging-inertia = swinging inertia
 report-of-taper = taper
 report-of-time-constant = time constant
+report-of-torque-offset = torque offset
 report-of-turning-load-log-ratio = turning load log ratio
 report-of-turning-spread-log-ratio = turning spread log ratio
 report-of-twist-cube = twist cube

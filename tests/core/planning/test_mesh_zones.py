@@ -69,7 +69,7 @@ def random_motions(count: int) -> list[SensorPose]:
 def test_loads_fly_into_it_where_they_fly_into_its_boxes(meshed: Cell, boxed: Cell) -> None:
     """Three ways to see each flight: the planner's and the second opinion's with the mesh, and the planner's with boxes."""
     seen = {True: 0, False: 0}
-    for sensor in random_motions(14):
+    for sensor in random_motions(12):
         mesh, boxes = (cell.model_copy(update={"zones": cell.zones[1:]}) for cell in (meshed, boxed))
         into = ThrowCheck(boxes).into_zone(LOAD, sensor, PERIOD) is not None
         opinion = nearest_flight(mesh, LOAD, Frames(sensor.rotation, sensor.position), PERIOD)
@@ -83,7 +83,7 @@ def test_loads_fly_into_it_where_they_fly_into_its_boxes(meshed: Cell, boxed: Ce
         if 0.0 < theirs.distance_m < 0.05:
             assert opinion.distance_m == pytest.approx(theirs.distance_m, abs=RESOLUTION_M + FINE_M)
         seen[into] += 1
-    assert min(seen.values()) >= 3
+    assert min(seen.values()) >= 2
 
 
 def test_the_distance_from_a_polyhedron_is_never_too_large_and_hardly_too_small() -> None:
