@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
+from functools import partial
 from typing import NamedTuple, Self
 
 import numpy as np
@@ -244,9 +245,8 @@ def find_start_configuration(
     axis, direction = attitude.name, attitude.down
     down = cell.gravity / np.linalg.norm(cell.gravity)
     limits = (robot.lower + LIMIT_MARGIN_RAD, robot.upper - LIMIT_MARGIN_RAD)
-    checks, tight = (
-        Checks(cell, robot, collision, attitude.about, attitude.rotation, limits, torques, room_m) for room_m in (ROOM_M, TIGHT_ROOM_M)
-    )
+    make_checks = partial(Checks, cell, robot, collision, attitude.about, attitude.rotation, limits, torques)
+    checks = make_checks()
     search = CandidateSearch(cell, robot, collision, limits=limits, near=near, diameter=2.0 * float(collision.reach[0]), weights=weights)
     rounds: list[_Round] = []
     for k in range(grid.rounds):
@@ -256,6 +256,7 @@ def find_start_configuration(
         if (found := _find_best(rounds[-1], search, checks, grid)) is not None:
             break
     if found is None:
+        tight = make_checks(TIGHT_ROOM_M)
         found = next((best for each in rounds if (best := _find_best(each, search, tight, grid)) is not None), None)
     if found is None:
         checks.refuse_too_weak(axis)

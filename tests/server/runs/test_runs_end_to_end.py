@@ -90,9 +90,8 @@ def test_a_run_is_queued_shown_released_held_resumed_and_tells_what_the_robot_ca
     assert any(message["kind"] == "samples" and message["reconstructed"] for message in messages)
     states = [event["state"] for event in events(console, run) if event["kind"] == "state_changed"]
     assert states[:4] == ["Resetting", "Idle", "Starting", "Execute"]
-    holds = states[4:-2]
-    assert holds, "it was held"
-    assert holds == ["Holding", "Held", "Unholding", "Execute"] * (len(holds) // 4)
+    late = [event for event in events(console, run) if event["kind"] == "robot_stopped" and event["lateness"]]
+    assert states[4:-2] == ["Holding", "Held", "Unholding", "Execute"] * (1 + len(late)), "held as told, and where a busy machine was late"
     assert states[-2:] == ["Completing", "Complete"]
     assert recorded(service, run) > 20_000
     check_downloads(console, run, tmp_path)
