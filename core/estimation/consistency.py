@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from core.array import Array
 from core.payload.inertia import is_consistent, phi_of_pseudo_inertia, pseudo_inertia
@@ -27,6 +26,8 @@ def nearest_consistent(phi: Array, covariance: Array) -> Array:
     """
     if is_consistent(phi):
         return phi
+    from scipy.optimize import least_squares  # noqa: PLC0415  most payloads are consistent and wait for no optimiser
+
     root = _inverse_root(covariance)
     mass = max(float(phi[0]), 1e-4)
     scale = np.sqrt(mass) * np.array([SIZE_M, SIZE_M, SIZE_M, 1.0])

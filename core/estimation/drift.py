@@ -20,12 +20,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
-from scipy.interpolate import BSpline
 
 from core.array import Array
 from core.estimation.annihilating_filter import AnnihilatingFilter
 from core.estimation.banded import BAND
 from core.estimation.noise import WrenchNoise
+from core.estimation.splines import cardinal
 from core.estimation.trend import FoundTrend, Trend
 from core.estimation.variance_search import Channel, VarianceSearch
 from core.estimation.weak_form import WeakForm
@@ -126,10 +126,9 @@ def variogram_of_walk(lag: Array) -> Array:
 
 def covariance_of_exponential(lag: Array, time_constant: float) -> Array:
     """(...,), of a unit Ornstein-Uhlenbeck process in two windows, cubic B-splines, so many knots apart; whole numbers."""
-    spline = BSpline.basis_element(np.arange(-4.0, 5.0), extrapolate=False)
     at, weight = leggauss(8)
     u = np.add.outer(np.arange(-4.0, 4.0), 0.5 + 0.5 * at)
-    overlap = 0.5 * weight * spline(u)
+    overlap = 0.5 * weight * cardinal(u, 7)
     table = np.array([(overlap * np.exp(-np.abs(n - u) / time_constant)).sum() for n in range(5)])
     n = np.abs(lag)
     near = table[np.minimum(n, 4.0).astype(int)]

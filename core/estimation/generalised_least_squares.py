@@ -307,7 +307,7 @@ class _Problem:
         if held is not None:
             features, rate = features.turn(held.mounting(b)), rate.turn(held.mounting(b))
         V, likely = features.regressor(tilt), self._likely(phi)
-        shared = np.concatenate((V, features.tilt_columns(phi, tilt), (rate.regressor(tilt) @ phi)[..., None]), axis=2)
+        shared = np.concatenate((V, features.tilt_columns(phi, tilt), rate.wrench(tilt, phi)[..., None]), axis=2)
         target = self.y + shared[:, :, TILT] @ tilt + shared[:, :, DELAY] * delay
         beside = np.zeros((len(V), 6, 0))
         if self.nuisances is not None and held is not None:

@@ -7,13 +7,13 @@ from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
 
 from core.array import Array
 from core.estimation.consistency import NO_SUCH_BODY, distance_from_bodies, nearest_consistent
 from core.estimation.determination import find_determined, reasons
 from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
 from core.estimation.generalised_least_squares import DELAY, OFFSET, PRIOR_STD, TILT
-from core.estimation.joint_torques.identification import identify_by_torques
 from core.estimation.kinematic_filter import ALPHA_VARIANCE, filter_motion, find_pose_noise, steady_std
 from core.estimation.kinematics import Poses, poses_of, smooth_motion
 from core.estimation.lateness import advance_wrench, find_lateness
@@ -53,7 +53,15 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
         recording: only read.
         twin: of the cell; what its effects do to the wrench is accounted for.
     """
+    # the matrices are narrow: threads spend more time waiting for each other than they save
+    with threadpool_limits(1, user_api="blas"):
+        return _identify(recording, twin)
+
+
+def _identify(recording: Recording, twin: Twin) -> Identification:
     if recording.wrench is None:
+        from core.estimation.joint_torques.identification import identify_by_torques  # noqa: PLC0415  loads an optimiser
+
         return identify_by_torques(recording)
     answer = _identify_by_wrench(recording, recording.wrench, twin)
     if answer.estimate is not None and answer.estimate.determined[0]:

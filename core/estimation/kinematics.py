@@ -6,8 +6,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import nnls
-from scipy.spatial.transform import Rotation
 
 from core.array import Array
 from core.estimation.local_polynomial import derive_with_ends_held
@@ -88,6 +86,8 @@ class Poses:
             joints = replace(self.joints, q=rows.fill @ self.joints.q)
             pose = joints.robot.sensor_poses(joints.q)
             return replace(self, t=rows.t, rotation=pose.rotation, position=pose.position, joints=joints)
+        from scipy.spatial.transform import Rotation  # noqa: PLC0415  half of SciPy, for recordings of attitudes that have lost rows
+
         rotation = Rotation.from_matrix((rows.fill @ self.rotation.reshape(len(self.t), 9)).reshape(-1, 3, 3)).as_matrix()
         position = None if self.position is None else rows.fill @ self.position
         return replace(self, t=rows.t, rotation=rotation, position=position)
@@ -153,11 +153,19 @@ def find_jitter(t: Array, x: Array) -> tuple[float, Array]:
     slowness = np.array([np.median(speed[moving][each] ** -2.0) for each in classes])
     if not seen.all():
         return 0.0, white
-    (square, _), _ = nnls(np.column_stack((np.ones(SPEEDS), slowness)) / seen[:, None], np.ones(SPEEDS))
+    square = find_level(np.column_stack((np.ones(SPEEDS), slowness)) / seen[:, None])
     if square < 0.5 * seen[-1]:
         return 0.0, white
     slow = np.argsort(speed)[: len(speed) // 4]
     return float(np.sqrt(square)), _median_std(off[slow])
+
+
+def find_level(columns: Array) -> float:
+    """The first of the two coefficients, neither negative, with which columns (n, 2), both positive, add up to ones best."""
+    level, rest = np.linalg.lstsq(columns, np.ones(len(columns)), rcond=None)[0]
+    if rest < 0.0:
+        level = columns[:, 0].sum() / (columns[:, 0] @ columns[:, 0])
+    return max(float(level), 0.0)
 
 
 def find_twist(poses: Poses) -> Array:

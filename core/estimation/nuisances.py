@@ -148,10 +148,10 @@ class NuisanceColumns:
             features: at this delay, s; phi (10,) and tilt (2,), rad, about which it is linearised.
         """
         held = self.nuisances
-        zeros = [f.regressor(tilt) @ phi * std for f, std in zip(self._zero_features(delay), held.zero_std_rad, strict=True)]
-        turned = [_turn_features(features, axis).regressor(tilt) @ phi * held.mount_std_rad for axis in np.eye(3)]
+        zeros = [f.wrench(tilt, phi) * std for f, std in zip(self._zero_features(delay), held.zero_std_rad, strict=True)]
+        turned = [_turn_features(features, axis).wrench(tilt, phi) * held.mount_std_rad for axis in np.eye(3)]
         still = Features(np.zeros_like(features.a), features.base, np.zeros_like(features.B), features.gravity)
-        weight = still.regressor(tilt) @ phi * (held.gravity_std / float(np.linalg.norm(features.gravity)))
+        weight = still.wrench(tilt, phi) * (held.gravity_std / float(np.linalg.norm(features.gravity)))
         return np.stack([*zeros, *turned, weight], axis=-1)
 
     def of_channel(self, c: int, load: Array) -> Array:
@@ -160,7 +160,7 @@ class NuisanceColumns:
 
     def dense(self, features: Features, phi: Array, tilt: Array, delay: float) -> Array:
         """(K, 6, size): all of them."""
-        load, held = features.regressor(tilt) @ phi, self.nuisances
+        load, held = features.wrench(tilt, phi), self.nuisances
         columns = np.zeros((len(load), 6, held.size))
         for c in range(6):
             columns[:, c, held.rows_of_channel(c)] = self.of_channel(c, load)

@@ -17,7 +17,6 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import BSpline
 from scipy.sparse import csr_array, diags_array
 
 from core.array import Array
@@ -25,8 +24,9 @@ from core.estimation.annihilating_filter import AnnihilatingFilter
 from core.estimation.banded import BAND, bands_of, trace
 from core.estimation.kinematics import Poses, axial, find_twist, local_derivative
 from core.estimation.lost_rows import fill_lost_rows
+from core.estimation.splines import cubic_pieces, cubic_slopes
 from core.payload.inertia import inertia_columns, symmetric
-from core.payload.rotations import rotation_of, skew
+from core.payload.rotations import cross, rotation_of, skew
 
 STEP_S = 0.025
 """Knot spacing of the windows: features up to 20 Hz are kept."""
@@ -66,7 +66,11 @@ class Features:
 
     def regressor(self, tilt: Array) -> Array:
         """V (K, 6, 10) for gravity turned by the base tilt (2,), rad."""
-        return regressor_of(self.a - self.base @ (rotation_of(tilt_axes(self.gravity) @ tilt) @ self.gravity), self.B)
+        return regressor_of(self._against_gravity(tilt), self.B)
+
+    def wrench(self, tilt: Array, phi: Array) -> Array:
+        """(K, 6), `regressor(tilt) @ phi`, in a tenth of the time."""
+        return wrench_of(self._against_gravity(tilt), self.B, phi)
 
     def tilt_columns(self, phi: Array, tilt: Array) -> Array:
         """Change of the wrench (K, 6, 2) per radian of base tilt."""
@@ -76,7 +80,11 @@ class Features:
         zero = np.zeros_like(self.B)
         # to first order in the tilt a change of the rotation vector by e turns by e + v x e / 2
         change = [np.cross(e + 0.5 * np.cross(v, e), g) for e in axes.T]
-        return np.stack([regressor_of(-self.base @ dg, zero) @ phi for dg in change], axis=-1)
+        return np.stack([wrench_of(-self.base @ dg, zero, phi) for dg in change], axis=-1)
+
+    def _against_gravity(self, tilt: Array) -> Array:
+        """(K, 3), acceleration less gravity turned by the base tilt (2,), rad."""
+        return self.a - self.base @ (rotation_of(tilt_axes(self.gravity) @ tilt) @ self.gravity)
 
 
 def regressor_of(b: Array, B: Array) -> Array:
@@ -87,6 +95,14 @@ def regressor_of(b: Array, B: Array) -> Array:
     V[:, 3:, 1:4] = -skew(b)
     V[:, 3:, 4:] = (B.reshape(-1, 9) @ _TORQUE_OF_B).reshape(-1, 3, 6)
     return V
+
+
+def wrench_of(b: Array, B: Array, phi: Array) -> Array:
+    """(K, 6), `regressor_of(b, B) @ phi`."""
+    m, mc = phi[0], phi[1:4]
+    force = m * b + B @ mc
+    torque = cross(mc, b) + B.reshape(-1, 9) @ (_TORQUE_OF_B.reshape(9, 3, 6) @ phi[4:])
+    return np.hstack((force, torque))
 
 
 def _torque_columns(B: Array) -> Array:
@@ -111,11 +127,14 @@ class RawFeatures:
     """Second differences of the poses, sample by sample: far too noisy to look at, without bias once they are averaged.
 
     Attributes: `a` (N, 3), acceleration of the sensor origin; `B` (N, 3, 3), `R^T R''`; `difference` (N, N), the operator.
+
+    Args:
+        difference: of other poses at the same times, where there are any.
     """
 
-    def __init__(self, poses: Poses) -> None:
+    def __init__(self, poses: Poses, difference: csr_array | None = None) -> None:
         n = len(poses.t)
-        self.difference = second_difference(poses.t)
+        self.difference = second_difference(poses.t) if difference is None else difference
         # two noisy factors are noise that no window damps, and with a mean of its own where they share samples: one has to be smooth
         smooth = local_derivative(poses.rotation.reshape(n, 9), 0, poses.period, window_s=max(SMOOTH_S, 7.0 * poses.period))
         apart = smooth.reshape(-1, 3, 3)
@@ -155,12 +174,12 @@ class WeakForm:
         self._features: tuple[Features, Features] | None = None
         self._delay = 0.0
 
-    def _samples_of(self, poses: Poses) -> Array:
+    def _samples_of(self, poses: Poses, difference: csr_array | None = None) -> Array:
         """(N, 21), what the windows average: acceleration, R^T and `R^T R''`."""
         base = np.swapaxes(poses.rotation, 1, 2).reshape(-1, 9)
         if self.static:
             return np.concatenate((np.zeros((len(base), 3)), base, np.zeros((len(base), 9))), axis=1)
-        raw = RawFeatures(poses)
+        raw = RawFeatures(poses, difference)
         return np.concatenate((raw.a, base, raw.B.reshape(-1, 9)), axis=1)
 
     def __len__(self) -> int:
@@ -188,22 +207,15 @@ class WeakForm:
 
     def _windows(self, t: Array, delay: float, derivative: bool = False) -> csr_array:
         """(K, N) weights on samples at times t (N,) of the windows shifted by `-delay`; or their derivative by the delay."""
-        count = len(self._kept)
-        knots = self._first + self._step * np.arange(count + 4)
-        x = t + delay
-        inside = (x >= knots[0]) & (x < knots[-1])
-        weights = np.gradient(t)[inside] / self._step
-        degree = 2 if derivative else 3
-        padded = np.concatenate(
-            (knots[0] - self._step * np.arange(degree, 0, -1), knots, knots[-1] + self._step * np.arange(1, degree + 1))
-        )
-        design = csr_array(BSpline.design_matrix(x[inside], padded, degree))
-        columns = np.arange(degree, degree + count + (1 if derivative else 0))
-        design = design[:, columns]
-        if derivative:
-            design = (design[:, :-1] - design[:, 1:]) * (1.0 / self._step)
-        W = csr_array((diags_array(weights) @ design).T)[np.flatnonzero(self._kept)]
-        return csr_array((W.data, np.flatnonzero(inside)[W.indices], W.indptr), shape=(W.shape[0], len(t)))
+        u = (t + delay - self._first) / self._step
+        knot = np.floor(u).astype(np.intp)
+        weights = np.gradient(t)[:, None] / self._step * (cubic_slopes(u - knot) / self._step if derivative else cubic_pieces(u - knot))
+        window = knot[:, None] - np.arange(4)
+        row = np.where(self._kept, np.cumsum(self._kept) - 1, -1)
+        row = np.concatenate(([-1, -1, -1], row, [-1, -1, -1]))[np.clip(window + 3, 0, len(row) + 5)]
+        inside = row >= 0
+        places = row[inside], np.broadcast_to(np.arange(len(t))[:, None], row.shape)[inside]
+        return csr_array((weights[inside], places), shape=(len(self), len(t)))
 
     def average(self, x: Array) -> Array:
         """Windowed means (K, n) of samples (N, n)."""
@@ -242,7 +254,8 @@ class WeakForm:
             return
         W = self._windows(t, delay)
         W = csr_array(diags_array(1.0 / np.asarray(W.sum(axis=1))) @ W)
-        yield from (_features(np.asarray(W @ self._samples_of(poses)), poses.gravity) for poses in others)
+        difference = second_difference(t)
+        yield from (_features(np.asarray(W @ self._samples_of(poses, difference)), poses.gravity) for poses in others)
 
     @cached_property
     def gram(self) -> tuple[Array, PoseGram]:

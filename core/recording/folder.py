@@ -15,7 +15,6 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from core.array import Array
 from core.cell.urdf import check_urdf
@@ -221,6 +220,8 @@ def _orientation(samples: Samples) -> Array:
     """Rotation matrices (N, 3, 3) of the quaternions, normalised."""
     if not samples.any_of(QUATERNION):
         raise BadRecording(samples.where, "recording-joints-without-robot" if "q_1" in samples else "recording-neither-joints-nor-poses")
+    from scipy.spatial.transform import Rotation  # noqa: PLC0415  half of SciPy, for recordings of attitudes
+
     quaternions = samples.numbers(*QUATERNION)
     norms = np.linalg.norm(quaternions, axis=1)
     wrong = np.flatnonzero(np.abs(norms - 1.0) > 0.01)
@@ -257,6 +258,8 @@ def columns_of(recording: Recording) -> dict[str, Array | NDArray[np.str_]]:
         if values is not None:
             columns |= dict(zip(_names(prefix, values.shape[1]), np.asarray(values, dtype=float).T, strict=True))
     if recording.orientation is not None:
+        from scipy.spatial.transform import Rotation  # noqa: PLC0415  as above
+
         columns |= dict(zip(QUATERNION, Rotation.from_matrix(recording.orientation).as_quat().T, strict=True))
     if recording.position is not None:
         columns |= dict(zip(POSITION, recording.position.T, strict=True))

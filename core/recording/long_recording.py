@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from core.array import Array
 from core.errors import BadRecording
@@ -115,6 +114,8 @@ def _mean_angle(q: Array) -> Array:
 
 def _mean_rotation(rotation: Array) -> Array:
     """(M, 3, 3) of (M, k, 3, 3)."""
+    from scipy.spatial.transform import Rotation  # noqa: PLC0415  half of SciPy, for long recordings of attitudes
+
     mean = rotation.mean(axis=1)
     return np.asarray(Rotation.from_matrix(mean).as_matrix()) if len(mean) else mean
 

@@ -12,6 +12,8 @@ from typer.main import get_command
 from core.cli.commands import COMMANDS
 from core.version import code_version
 
+SLOW_PARTS = ("scipy.optimize", "scipy.interpolate", "scipy.spatial", "scipy.stats", "scipy.signal")
+"""Of SciPy: half a second of processor time together, which only some recordings need."""
 HEAVY = ("numba", "pinocchio", "mujoco", "ompl", "matplotlib", "scipy")
 
 
@@ -20,6 +22,12 @@ def test_each_command_is_where_the_list_says_and_says_what_the_list_says(name: s
     command = get_command(import_module(COMMANDS[name].module).app)
     assert command.help is not None
     assert " ".join(command.help.split()) == COMMANDS[name].summary
+
+
+def test_an_ordinary_recording_is_identified_without_optimisers_and_the_rotations_of_scipy() -> None:
+    code = f"import sys, core.cli.identify; print(*(name for name in {SLOW_PARTS!r} if name in sys.modules))"
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert ended.stdout.strip() == ""
 
 
 @pytest.mark.parametrize("arguments", [["--help"], ["cells"], ["--version"]])

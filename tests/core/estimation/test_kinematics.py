@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.optimize import nnls
 
-from core.estimation.kinematics import find_jitter, poses_of, smooth_motion, white_noise_std
+from core.estimation.kinematics import find_jitter, find_level, poses_of, smooth_motion, white_noise_std
 from tests.synthetic import payload, record, run_of
 
 
@@ -25,6 +26,14 @@ def test_instants_that_jitter_are_found_by_noise_that_goes_with_the_speed(jitter
     found, white = find_jitter(run.t, q)
     assert found == pytest.approx(jitter_s, rel=0.15)
     assert white.max() < 1e-5
+
+
+@pytest.mark.parametrize("slowness", [[5.0, 3.0, 2.0], [1.0, 1.0, 9.0], [0.1, 0.2, 50.0]])
+@pytest.mark.parametrize("seen", [[3.0, 2.0, 1.0], [1.0, 2.0, 3.0], [1.0, 1.0, 8.0]])
+def test_the_level_beside_what_falls_with_the_speed_is_never_negative(slowness: list[float], seen: list[float]) -> None:
+    columns = np.column_stack((np.ones(3), slowness)) / np.array(seen)[:, None]
+    (expected, _), _ = nnls(columns, np.ones(3))
+    assert find_level(columns) == pytest.approx(expected, abs=1e-12)
 
 
 def test_noise_steps_of_the_encoders_and_lost_rows_are_no_jitter() -> None:

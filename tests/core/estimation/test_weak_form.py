@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from core.estimation.banded import factorise, whiten
 from core.estimation.kinematics import Poses, poses_of
-from core.estimation.weak_form import WeakForm, regressor_of, second_difference, tilt_axes
+from core.estimation.weak_form import WeakForm, regressor_of, second_difference, tilt_axes, wrench_of
 from core.payload.inertia import Motion, regressor, skew
 from tests.synthetic import GRAVITY, Imperfections, payload, record, run_of
 
@@ -23,6 +23,13 @@ def test_the_regressor_of_second_derivatives_is_that_of_eq_2(seed: int) -> None:
     g, a, omega, alpha = rng.normal(size=(4, 6, 3))
     B = skew(alpha) + skew(omega) @ skew(omega)
     np.testing.assert_allclose(regressor_of(a - g, B), regressor(Motion(g, a, omega, alpha)), atol=1e-12)
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_the_wrench_is_the_regressor_times_the_parameters(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    b, B, phi = rng.normal(size=(5, 3)), rng.normal(size=(5, 3, 3)), rng.normal(size=10)
+    np.testing.assert_allclose(wrench_of(b, B, phi), regressor_of(b, B) @ phi, atol=1e-12)
 
 
 @pytest.mark.parametrize("lag", [150.0, 600.0])
