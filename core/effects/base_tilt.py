@@ -21,6 +21,7 @@ class BaseTilt(Effect):
     id = "base_tilt"
     title = Message.of("effect-base-tilt-title")
     stage = "mounting"
+    only_adds = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Two angles, rad, about the base axes that lie most across gravity; 0 is level."""

@@ -8,9 +8,9 @@ from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.effects.filters import play
 from core.effects.scene import Scene
+from core.effects.vectors import add_force, turn_back
 from core.effects.window_search import weights
 from core.payload.inertia import regressor
-from core.payload.rotations import cross
 from core.words.message import Message
 
 CREEP = 0.003
@@ -44,6 +44,7 @@ class CableDrag(Effect):
     id = "cable_drag"
     title = Message.of("effect-cable-drag-title")
     stage = "environment"
+    only_adds = True
     needs_motion = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -77,11 +78,8 @@ class CableDrag(Effect):
         v = np.diff(whole, axis=0, prepend=whole[:1])[-len(p) :] / scene.period
         F = taut(theta[1:4] - theta[0] * (p - scene.past("first place").first(p)), theta[8])
         F = F - theta[4] * v / np.sqrt(np.sum(v * v, axis=1, keepdims=True) + CREEP**2) - theta[9] * v / np.sqrt(v * v + CREEP**2)
-        f = np.einsum("ni,nij->nj", F, scene.rotation)
-        W = w - np.hstack([f, cross(np.broadcast_to(r, f.shape), f)])
-        if len(theta) > 10:
-            W[:, 3:] += twist(scene, theta[10:])
-        return np.asarray(W)
+        torque = twist(scene, theta[10:]) if len(theta) > 10 else np.zeros_like(F)
+        return np.asarray(add_force(w, -turn_back(scene.rotation, F), r, torque))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """A hose, and the two cables with slack whose pull looks most like the residual."""

@@ -21,7 +21,7 @@ BETA = 0.25 * (0.5 + GAMMA) ** 2
 
 
 def deflection(
-    inertia: Array, load: Array, compliance: Array, damping: float, period: float, past: Past | None = None
+    inertia: Array, load: Array, compliance: Array, damping: float, period: float, past: Past | None = None, share: float = 1.0
 ) -> tuple[Array, Array]:
     """Deflection (N, n), rad, and its second derivative, rad/s2, of joints that follow their load when the run begins.
 
@@ -34,13 +34,14 @@ def deflection(
         damping: of each joint alone on its spring, a share of the critical one.
         period: of the rows, s.
         past: of a run that comes in blocks.
+        share: of the inertia that swings.
     """
     past = past or Past()
     soft = np.flatnonzero(compliance > 0.0)
     root = np.sqrt(compliance[soft])
     pull = -load[:, soft] * root
     start = np.stack([pull[0], np.full_like(root, np.nan), np.zeros_like(root), pull[0]]) if past.rows is None else past.rows
-    z, acceleration, end = _swing(inertia, soft, root, pull, start, damping, period, past.rows is None)
+    z, acceleration, end = _swing(inertia, share, soft, root, pull, start, damping, period, past.rows is None)
     past.rows = end
     error, second = np.zeros_like(load), np.zeros_like(load)
     error[:, soft], second[:, soft] = root * z, root * acceleration
@@ -50,6 +51,7 @@ def deflection(
 @njit(cache=True)
 def _swing(
     inertia: Array,
+    share: float,
     soft: NDArray[np.intp],
     root: Array,
     pull: Array,
@@ -70,7 +72,7 @@ def _swing(
                 if np.isnan(v[i]):
                     v[i] = (pull[t, i] - before[i]) / h
                 for j in range(i + 1):
-                    A[i, j] = root[i] * root[j] * inertia[t, soft[i], soft[j]]
+                    A[i, j] = root[i] * root[j] * (share * inertia[t, soft[i], soft[j]])
                 d[i] = 2.0 * damping * np.sqrt(max(A[i, i], 0.0))
                 A[i, i] += GAMMA * h * d[i] + BETA * h * h
             _factorise(A, one_over, 0.01 * h * h)

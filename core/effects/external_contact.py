@@ -29,6 +29,7 @@ class ExternalContact(Effect):
     id = "external_contact"
     title = Message.of("effect-external-contact-title")
     stage = "environment"
+    only_adds = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Begin and duration, s, taper, force (3), N, base axes, and the point that it acts on (3), m, sensor axes."""

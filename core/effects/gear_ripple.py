@@ -26,6 +26,7 @@ class GearRipple(Effect):
     id = "gear_ripple"
     title = Message.of("effect-gear-ripple-title")
     stage = "kinematics"
+    only_adds = True
     needs_motion = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:

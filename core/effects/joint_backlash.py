@@ -26,6 +26,7 @@ class JointBacklash(Effect):
     id = "joint_backlash"
     title = Message.of("effect-joint-backlash-title")
     stage = "kinematics"
+    only_adds = True
     needs_motion = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:

@@ -24,6 +24,7 @@ class JointElasticity(Effect):
     id = "joint_elasticity"
     title = Message.of("effect-joint-elasticity-title")
     stage = "kinematics"
+    only_adds = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Compliance of each joint, rad/(N m), then the share of the inertia that swings and the damping ratio."""
@@ -36,8 +37,9 @@ class JointElasticity(Effect):
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus what the payload asks more with joints at `q + e`, e from `share M e'' + D e' + K e = -tau`."""
         share, damping = theta[-2:]
-        inertia, load = share * scene.joint_inertia, rigid_load(scene)
-        error, acceleration = deflection(inertia, load, theta[:-2], damping, scene.period, scene.past("deflection"))
+        error, acceleration = deflection(
+            scene.joint_inertia, rigid_load(scene), theta[:-2], damping, scene.period, scene.past("deflection"), share
+        )
         return w + wrench_change(scene, true_motion(scene, error, acceleration))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:

@@ -17,18 +17,17 @@ from core.words.message import Message
 
 
 @njit(cache=True)
-def _add_twist_change(J: Array, dq: Array, error: Array, sign: float, out: Array) -> None:
-    """Adds `sign` times the change of the twist (6,) to `out`."""
+def _fill_twist_changes(J: Array, dq: Array, E: Array) -> None:
+    """Fills E (n, 6) with the change of the twist per radian of each joint's error."""
     vx = vy = vz = wx = wy = wz = 0.0
     for j in range(len(dq)):
-        e = sign * error[j]
         ax, ay, az, bx, by, bz = J[0, j], J[1, j], J[2, j], J[3, j], J[4, j], J[5, j]
-        out[0] -= e * (by * vz - bz * vy + ay * wz - az * wy)
-        out[1] -= e * (bz * vx - bx * vz + az * wx - ax * wz)
-        out[2] -= e * (bx * vy - by * vx + ax * wy - ay * wx)
-        out[3] -= e * (by * wz - bz * wy)
-        out[4] -= e * (bz * wx - bx * wz)
-        out[5] -= e * (bx * wy - by * wx)
+        E[j, 0] = bz * vy - by * vz + az * wy - ay * wz
+        E[j, 1] = bx * vz - bz * vx + ax * wz - az * wx
+        E[j, 2] = by * vx - bx * vy + ay * wx - ax * wy
+        E[j, 3] = bz * wy - by * wz
+        E[j, 4] = bx * wz - bz * wx
+        E[j, 5] = by * wx - bx * wy
         s = dq[j]
         vx += ax * s
         vy += ay * s
@@ -47,12 +46,18 @@ def _true_motion(
     N, n = error.shape
     shift = len(dq) - N
     out = np.empty((4, N, 3))
-    twist = np.empty(6)
-    rate = np.empty(6)
+    now, before = np.zeros((n, 6)), np.zeros((n, 6))
+    if shift > 0:
+        _fill_twist_changes(J[0], dq[0], now)
+    twist, rate = np.empty(6), np.empty(6)
     for k in range(N):
         i = k + shift
+        now, before = before, now
+        _fill_twist_changes(J[i], dq[i], now)
         gx, gy, gz = g0[k, 0], g0[k, 1], g0[k, 2]
         vx = vy = vz = 0.0
+        twist[:] = 0.0
+        rate[:] = 0.0
         for j in range(n):
             e = error[k, j]
             s = dq[i, j]
@@ -65,13 +70,11 @@ def _true_motion(
                 gx += 0.5 * (ry * dz - rz * dy) - dx
                 gy += 0.5 * (rz * dx - rx * dz) - dy
                 gz += 0.5 * (rx * dy - ry * dx) - dz
-        twist[:] = 0.0
-        _add_twist_change(J[i], dq[i], error[k], 1.0, twist)
-        rate[:] = 0.0
-        if i > 0:
-            rate[:] = twist
-            _add_twist_change(J[i - 1], dq[i - 1], error[k], -1.0, rate)
-            rate /= period
+                for c in range(6):
+                    twist[c] += e * now[j, c]
+                    rate[c] += e * (now[j, c] - before[j, c])
+        for c in range(6):
+            rate[c] = rate[c] / period if i > 0 else 0.0
         for j in range(n if len(second) else 0):
             for c in range(6):
                 rate[c] += J[i, c, j] * second[k, j]
@@ -126,12 +129,9 @@ def rigid_load(scene: Scene) -> Array:
 
     Where the masses of the links are not known: what was measured, or what the payload alone asks, `J^T w`.
     """
-    if scene.jacobian is None:
-        raise ValueError("joint torques need a scene with joints (see Effect.explain_lack)")
     if scene.link_torque is None and scene.torque is not None:
         return scene.torque
-    payload = np.einsum("ni,nij->nj", scene.nominal, scene.jacobian)
-    return np.asarray(payload if scene.link_torque is None else payload + scene.link_torque)
+    return scene.joint_load
 
 
 def find_largest_joint(theta: Array) -> int:

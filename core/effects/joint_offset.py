@@ -22,6 +22,7 @@ class JointOffset(Effect):
     id = "joint_offset"
     title = Message.of("effect-joint-offset-title")
     stage = "kinematics"
+    only_adds = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """The zero's errors of all joints, then all amplitudes of cosine, then all of sine, rad."""

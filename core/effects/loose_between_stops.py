@@ -9,8 +9,7 @@ from core.effects.effect import Parameter
 from core.effects.payload_loose import PayloadLoose
 from core.effects.rigid_body import centre_of_mass
 from core.effects.scene import Scene
-from core.payload.inertia import regressor
-from core.payload.rotations import cross
+from core.effects.vectors import add_force, find_specific_force, load_of_moment
 from core.words.message import Message
 
 LOADS = (0.5, 4.0)
@@ -35,9 +34,11 @@ class LooseBetweenStops(PayloadLoose):
         if size < 1e-12:
             return w.copy()
         m, c = scene.motion, centre_of_mass(scene)
-        b = m.a - m.g + cross(m.alpha, c) + cross(m.omega, cross(m.omega, c))
+        b = find_specific_force(m, c)
         moved = -np.outer(np.tanh(b @ d / (size * theta[3])), d)
-        return np.asarray(w + np.einsum("ncd,nd->nc", regressor(m)[:, :, 1:4], moved))
+        still = np.zeros_like(moved)
+        f, tau = load_of_moment(m.omega, m.alpha, m.a - m.g, moved, still, still)
+        return np.asarray(add_force(w, f, np.zeros(3), tau))
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """Twins keep the one that swings."""

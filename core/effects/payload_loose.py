@@ -12,6 +12,7 @@ from core.effects.hanging import GRAVITY, hang
 from core.effects.oscillator import oscillate, spectral_peaks
 from core.effects.rigid_body import centre_of_mass
 from core.effects.scene import Scene
+from core.effects.vectors import add_force, find_specific_force, load_of_moment, turn, turn_back
 from core.payload.rotations import cross
 from core.words.message import Message
 
@@ -31,6 +32,7 @@ class PayloadLoose(Effect):
     id = "payload_loose"
     title = Message.of("effect-payload-loose-title")
     stage = "payload"
+    only_adds = True
     needs_motion = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -51,12 +53,12 @@ class PayloadLoose(Effect):
         part = _Part(theta)
         m = scene.motion
         r = centre_of_mass(scene) + part.place
-        b = m.a - m.g + cross(m.alpha, r) + cross(m.omega, cross(m.omega, r))
+        b = find_specific_force(m, r)
         f, tau = (
             sprung + hanging
             for sprung, hanging in zip(_compute_sprung_load(scene, part, b), _compute_hanging_load(scene, part, b), strict=True)
         )
-        return np.asarray(w + np.hstack([f, cross(r, f) + tau]))
+        return np.asarray(add_force(w, f, r, tau))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Sprung or hanging where the residual's spectrum has peaks, and sprung over the plausible range."""
@@ -82,18 +84,18 @@ def _compute_sprung_load(scene: Scene, part: _Part, b: Array) -> tuple[Array, Ar
     start = np.stack([part.start, part.angular_frequency * part.start_rate])
     swing = oscillate(b, scene.period, part.frequency_hz, part.damping, scene.past("sprung"), start)
     s, ds, dds = (-scene.phi[0] / part.angular_frequency**2 * y @ part.shares for y in swing)
-    omega = scene.motion.omega
-    return dds + cross(omega, 2.0 * ds + cross(omega, s)) + cross(scene.motion.alpha, s), cross(s, b)
+    f, tau = load_of_moment(scene.motion.omega, scene.motion.alpha, b, s, ds, dds)
+    return f, tau
 
 
 def _compute_hanging_load(scene: Scene, part: _Part, b: Array) -> tuple[Array, Array]:
     """The same of the hanging part."""
     R, m = scene.rotation, part.hanging_share * scene.phi[0]
-    b_base, omega = np.einsum("nij,nj->ni", R, b), np.einsum("nij,nj->ni", R, scene.motion.omega)
+    b_base, omega = turn(R, b), turn(R, scene.motion.omega)
     start = np.stack([-b_base[0] - R[0] @ part.start, -part.angular_frequency / GRAVITY * (R[0] @ part.start_rate)])
     x, ddx = hang(b_base, omega, scene.period, part.frequency_hz, part.damping, start, scene.past("hanging"))
-    f = m * np.einsum("nij,ni->nj", R, ddx)
-    return f, cross(np.einsum("nij,ni->nj", R, x), m * b + f)
+    f = m * turn_back(R, ddx)
+    return f, cross(turn_back(R, x), m * b + f)
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ class PayloadMassChange(Effect):
     id = "payload_mass_change"
     title = Message.of("effect-payload-mass-change-title")
     stage = "payload"
+    only_adds = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Time, s, mass, kg, its place (3), m, sensor axes, and how long it takes to come or go, s."""

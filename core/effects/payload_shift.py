@@ -23,6 +23,7 @@ class PayloadShift(Effect):
     id = "payload_shift"
     title = Message.of("effect-payload-shift-title")
     stage = "payload"
+    only_adds = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Time, s, change of the first moment (3), kg m, sensor axes, and how long it takes, s."""

@@ -100,6 +100,14 @@ class Scene:
         payload = self.jacobian.transpose(0, 2, 1) @ (body @ self.jacobian)
         return np.asarray(payload if self.link_inertia is None else payload + self.link_inertia)
 
+    @cached_property
+    def joint_load(self) -> Array:
+        """(N, n), N m, that arm and payload ask of the joints; the payload alone where the arm's masses are not known."""
+        if self.jacobian is None:
+            raise ValueError("joint torques need a scene with joints (see Effect.explain_lack)")
+        payload = np.einsum("ni,nij->nj", self.nominal, self.jacobian)
+        return np.asarray(payload if self.link_torque is None else payload + self.link_torque)
+
     def with_phi(self, phi: Array) -> Scene:
         """The same run with another payload."""
         return replace(self, phi=phi)

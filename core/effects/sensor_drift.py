@@ -24,6 +24,7 @@ class SensorDrift(Effect):
     id = "sensor_drift"
     title = Message.of("effect-sensor-drift-title")
     stage = "sensor"
+    only_adds = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Drift after one minute (6), N and N m, settling rate, 1/s, and where the temperature is recorded drift per K (6)."""

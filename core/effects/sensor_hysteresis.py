@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numba import njit
 
 from core.array import Array
 from core.effects.channels import find_largest_channel, full_scale, shares, without_range
 from core.effects.effect import Effect, Parameter
-from core.effects.filters import play
 from core.effects.scene import Scene
 from core.payload.channels import CHANNELS
 from core.words.message import Message
@@ -47,9 +47,10 @@ class SensorHysteresis(Effect):
         """`w - h FS z(w)`, z the mean of three stops with graded turning loads."""
         full = full_scale(scene, w)
         radius = np.exp(theta[6:12] + theta[12] * SPREAD[:, None]) * full
-        load = np.tile(w, len(SPREAD))
-        turned = (load - play(load, radius.ravel(), scene.past("play"))) / radius.ravel()
-        return np.asarray(w - theta[:6] * full * turned.reshape(len(w), len(SPREAD), 6).mean(axis=1))
+        past = scene.past("play")
+        start = np.tile(w[0], (len(SPREAD), 1)) if past.rows is None else past.rows
+        W, past.rows = _turn_over(np.ascontiguousarray(w), theta[:6] * full, radius, start)
+        return W
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """A reason where the sensor's range is not known: shares of it then hold for this run only."""
@@ -64,3 +65,17 @@ class SensorHysteresis(Effect):
         """Advises checking the flanges' bolts, or one side of approach, with the height of the largest loop in % of full scale."""
         k, channel = find_largest_channel(theta[:6])
         return Message.of("advice-sensor-hysteresis", channel=channel, height_share=2 * theta[k])
+
+
+@njit(cache=True)
+def _turn_over(w: Array, height: Array, radius: Array, start: Array) -> tuple[Array, Array]:
+    """`w` (N, 6) less `height` times the mean of the stops of `radius` (stops, 6), whose plays begin at `start`; and where these end."""
+    out, at = np.empty_like(w), start.copy()
+    for k in range(len(w)):
+        for c in range(w.shape[1]):
+            x, total = w[k, c], 0.0
+            for s in range(len(radius)):
+                at[s, c] = max(x - radius[s, c], min(x + radius[s, c], at[s, c]))
+                total += (x - at[s, c]) / radius[s, c]
+            out[k, c] = x - height[c] * (total / len(radius))
+    return out, at

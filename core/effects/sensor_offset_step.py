@@ -18,6 +18,7 @@ class SensorOffsetStep(Effect):
     id = "sensor_offset_step"
     title = Message.of("effect-sensor-offset-step-title")
     stage = "sensor"
+    only_adds = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Jump of each channel, N and N m, and its time, s, from the first sample on."""

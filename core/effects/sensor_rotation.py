@@ -20,6 +20,7 @@ class SensorRotation(Effect):
     id = "sensor_rotation"
     title = Message.of("effect-sensor-rotation-title")
     stage = "mounting"
+    only_adds = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """The rotation vector (3), rad, sensor axes."""

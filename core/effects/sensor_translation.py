@@ -8,8 +8,8 @@ from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
+from core.effects.vectors import find_specific_force
 from core.payload.inertia import Motion
-from core.payload.rotations import cross
 from core.words.message import Message
 
 
@@ -19,6 +19,7 @@ class SensorTranslation(Effect):
     id = "sensor_translation"
     title = Message.of("effect-sensor-translation-title")
     stage = "mounting"
+    only_adds = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """The true origin from the believed one (3), m, sensor axes."""
@@ -27,7 +28,7 @@ class SensorTranslation(Effect):
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus what the payload asks more under `a + alpha x d + omega x (omega x d)`."""
         m = scene.motion
-        a = m.a + cross(m.alpha, theta) + cross(m.omega, cross(m.omega, theta))
+        a = find_specific_force(m, theta) + m.g
         return w + wrench_change(scene, Motion(m.g, a, m.omega, m.alpha))
 
     def explain_absence(self, scene: Scene) -> Message | None:

@@ -38,6 +38,7 @@ class ToolFlexibility(Effect):
     id = "tool_flexibility"
     title = Message.of("effect-tool-flexibility-title")
     stage = "payload"
+    only_adds = True
     needs_motion = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:

@@ -57,7 +57,7 @@ def _scene_at(
         gravity=poses.gravity,
         phi=np.zeros(10),
         q=q,
-        jacobian=None if q is None or robot is None else np.stack([robot.sensor_jacobian(row) for row in q]),
+        jacobian=None if q is None or robot is None else robot.sensor_jacobians(q),
         torque=None if recording.tau is None else recording.tau[rows],
         link_inertia=link_inertia,
         link_torque=link_torque,

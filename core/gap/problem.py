@@ -5,7 +5,9 @@ beta holds payload, offsets and the small imperfections, theta the effects' para
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,6 +25,22 @@ STEP = 1e-3
 """Of the finite differences, in plausible sizes."""
 SMALL = 2.5
 """Small imperfections stay within this many of their standard deviations; beyond, they are effects and have to be named."""
+
+
+class _Look(NamedTuple):
+    """What one point of the parameters gave.
+
+    Args:
+        theta: the point.
+        scene: with the payload there.
+        rows: (6K,), of the change.
+        known: wrenches behind the first effects.
+    """
+
+    theta: Array
+    scene: Scene
+    rows: Array
+    known: dict[bytes, Array]
 
 
 class Problem:
@@ -47,8 +65,8 @@ class Problem:
         self.scale = np.array([p.scale for p in self.parameters])
         self.lower = np.array([p.lower for p in self.parameters])
         self.upper = np.array([p.upper for p in self.parameters])
-        self.X = windows.X.reshape(-1, windows.X.shape[2])
-        self.XX = self.X.T @ self.X
+        self.X, self.XX = windows.flat, windows.normal
+        self._last: _Look | None = None
         self.target = windows.target.ravel()
         width = np.full(len(self.parameters), PRIOR_WIDTH)
         width[len(width) if first is None else first :] = ABSENT_WIDTH
@@ -65,10 +83,15 @@ class Problem:
         """
         return self._behind(theta, scene, scene.nominal, {} if known is None else known) - scene.nominal
 
-    def pass_changes(self, theta: Array, scene: Scene, changes: Array) -> Array:
-        """(M, N, 6), what the effects make of M small changes of the nominal wrench (M, N, 6)."""
+    @property
+    def only_adds(self) -> bool:
+        """Whether changes of the nominal wrench pass all effects as they are."""
+        return all(effect.only_adds for effect, *_ in self._chain)
+
+    def pass_changes(self, theta: Array, scene: Scene, changes: Array) -> Iterator[Array]:
+        """(N, 6) each, what the effects make of small changes of the nominal wrench (M, N, 6)."""
         without = self._behind(theta, scene, scene.nominal, {})
-        return np.stack([self._behind(theta, scene, scene.nominal + change, {}) - without for change in changes])
+        return (self._behind(theta, scene, scene.nominal + change, {}) - without for change in changes)
 
     def _behind(self, theta: Array, scene: Scene, w: Array, known: dict[bytes, Array]) -> Array:
         """(N, 6), the wrench w behind all effects."""
@@ -84,18 +107,30 @@ class Problem:
 
     def linearise(self, theta: Array, phi: Array) -> tuple[Array, Array]:
         """Rows of the change (6K,), and their derivatives by theta (6K, n)."""
-        scene = self.windows.basis.scene.with_phi(phi)
-        known: dict[bytes, Array] = {}
+        here = self._look(theta, phi)
         steps = np.where(theta + STEP * self.scale <= self.upper, 1.0, -1.0) * STEP * self.scale
-        moved = (self.change(theta + step, scene, dict(known)) for step in np.diag(steps))
-        rows = self.windows.rows_of([self.change(theta, scene, known), *moved])
-        flat = rows.reshape(-1, rows.shape[2])
-        return flat[:, 0], (flat[:, 1:] - flat[:, :1]) / steps
+        moved = (self.change(theta + step, here.scene, dict(here.known)) for step in np.diag(steps))
+        J = np.empty((len(steps), len(here.rows)))
+        for slope, change, step in zip(J, moved, steps, strict=True):
+            slope[:] = (self.windows.rows_of([change]).ravel() - here.rows) / step
+        return here.rows, J.T
+
+    def _look(self, theta: Array, phi: Array) -> _Look:
+        """The rows at one point; where the last look was there, or had the same payload, what it found is still known."""
+        last = self._last
+        if last is not None and np.array_equal(last.scene.phi, phi):
+            if np.array_equal(last.theta, theta):
+                return last
+            scene = last.scene
+        else:
+            scene = self.windows.basis.scene.with_phi(phi)
+        known: dict[bytes, Array] = {}
+        self._last = _Look(theta, scene, self.windows.rows_of([self.change(theta, scene, known)]).ravel(), known)
+        return self._last
 
     def cost(self, beta: Array, theta: Array) -> float:
         """Chi-square plus priors."""
-        scene = self.windows.basis.scene.with_phi(beta[PHI])
-        rows = self.windows.rows_of([self.change(theta, scene)]).ravel() if self.effects or self.held else 0.0
+        rows = self._look(theta, beta[PHI]).rows if self.effects or self.held else 0.0
         r = self.target - self.X @ beta - rows
         away = np.concatenate((beta, theta - self.absent))
         return float(r @ r + away @ (self.precision * away))

@@ -26,16 +26,15 @@ def estimate_spared_noise(problem: Problem, theta: Array, beta: Array) -> Array:
     accelerations = windows.acceleration_noise
     if not accelerations.any():
         return np.zeros(windows.target.shape)
-    noise = accelerations @ spatial_inertia(phi).T
-    scene = windows.basis.scene.with_phi(phi)
-    rate = np.gradient(noise, scene.t, axis=1)
-    late = -beta[LATE] * rate + 0.5 * beta[BLUR] * np.gradient(rate, scene.t, axis=1)
-    return _by_motion(windows, _power(windows, noise) - _power(windows, problem.pass_changes(theta, scene, noise) + late))
-
-
-def _power(windows: Windows, changes: Array) -> Array:
-    """(6, K), mean square of the rows of changes (M, N, 6)."""
-    return np.asarray(np.square(windows.rows_of(list(changes))).mean(axis=2))
+    inertia = spatial_inertia(phi).T
+    seen, rate, rate_of_rate = windows.windowed_acceleration_noise
+    rows = windows.whiten_windowed(seen @ inertia)
+    late = windows.whiten_windowed((-beta[LATE] * rate + 0.5 * beta[BLUR] * rate_of_rate) @ inertia)
+    passed = rows
+    if not problem.only_adds:
+        scene = windows.basis.scene.with_phi(phi)
+        passed = windows.rows_of(problem.pass_changes(theta, scene, accelerations @ inertia)).transpose(2, 0, 1)
+    return _by_motion(windows, np.square(rows).mean(axis=0) - np.square(passed + late).mean(axis=0))
 
 
 def _by_motion(windows: Windows, rows: Array) -> Array:

@@ -6,7 +6,7 @@ are windows times channels, whitened with the covariance of sensor and kinematic
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -27,6 +27,7 @@ from core.estimation.kinematics import Poses
 from core.estimation.noise import WrenchNoise
 from core.estimation.segments import Segment, stretches
 from core.estimation.weak_form import STEP_S, tilt_axes
+from core.gap.whitener import Whitener
 from core.payload.inertia import Motion, spatial_inertia
 from core.payload.rigid_wrench import wrench
 from core.payload.rotations import cross
@@ -124,6 +125,7 @@ class Windows:
         V = self._average(basis.V)
         phi = self._first_phi(y, V)
         self._factors = self._whiteners(phi)
+        self._whitener = Whitener(self._to_windows, self._factors)
         nominal = basis.V @ phi
         rate = np.zeros_like(nominal) if basis.scene.apart else np.gradient(nominal, t, axis=0)
         late = self._average(np.stack((-rate, 0.5 * np.gradient(rate, t, axis=0)), axis=2))
@@ -144,6 +146,16 @@ class Windows:
 
     def __len__(self) -> int:
         return len(self.centres)
+
+    @cached_property
+    def flat(self) -> Array:
+        """(6 K, n), the columns X one channel behind the other."""
+        return self.X.reshape(-1, self.X.shape[2])
+
+    @cached_property
+    def normal(self) -> Array:
+        """(n, n), their products."""
+        return np.asarray(self.flat.T @ self.flat)
 
     def _average(self, x: Array) -> Array:
         """(K, ...) windowed means of rows (N, ...)."""
@@ -210,9 +222,13 @@ class Windows:
         """(6,), of one windowed wrench, N and N m."""
         return np.array([np.sqrt(np.median((factor**2).sum(axis=0))) for factor in self._factors])
 
-    def rows_of(self, changes: Sequence[Array]) -> Array:
+    def rows_of(self, changes: Iterable[Array]) -> Array:
         """Rows (6, K, n) of n changes of the wrench on the scene's grid, (N, 6) each."""
-        return self.whiten(np.stack([self._to_windows @ change for change in changes], axis=2))
+        return np.stack([self._whitener.average_and_whiten(change) for change in changes]).transpose(1, 2, 0)
+
+    def whiten_windowed(self, wrenches: Array) -> Array:
+        """Rows (M, 6, K) of wrenches (M, K, 6) that are windowed already."""
+        return np.stack([self._whitener.whiten(wrench) for wrench in wrenches])
 
     def _groups(self) -> NDArray[np.int64]:
         """(K,), number of the motion that each window belongs to: what is left out together."""
@@ -233,7 +249,18 @@ class Windows:
         values, vectors = np.linalg.eigh(basis.poses.noise)
         noise = np.random.default_rng(0).standard_normal((NOISE_DRAWS, len(basis.poses.t), 6))
         noise = noise @ (vectors * np.sqrt(np.maximum(values, 0.0))).T
-        return np.stack([basis.spread @ (basis.difference @ draw) for draw in noise])
+        of_poses = basis.difference @ noise.transpose(1, 0, 2).reshape(len(basis.poses.t), -1)
+        return np.ascontiguousarray((basis.spread @ of_poses).reshape(-1, NOISE_DRAWS, 6).transpose(1, 0, 2))
+
+    @cached_property
+    def windowed_acceleration_noise(self) -> tuple[Array, Array, Array]:
+        """(M, K, 6) each, windowed means of that noise, of its rate and of the rate's rate."""
+        rate = rate_matrix(self.basis.scene.t)
+        noise = self.acceleration_noise.transpose(1, 0, 2).reshape(len(rate.indptr) - 1, -1)
+        operators = (self._to_windows, self._to_windows @ rate, self._to_windows @ rate @ rate)
+        means = ((operator @ noise).reshape(len(self), NOISE_DRAWS, 6).transpose(1, 0, 2) for operator in operators)
+        first, second, third = (np.ascontiguousarray(mean) for mean in means)
+        return first, second, third
 
     @cached_property
     def samples_per_row(self) -> float:
@@ -258,6 +285,18 @@ def _find_turning_columns(scene: Scene, phi: Array) -> Array:
     m, still = scene.motion, np.zeros_like(scene.motion.g)
     by_axis = (cross(m.alpha, axis) + cross(m.omega, cross(m.omega, axis)) for axis in np.eye(3))
     return np.stack([wrench(Motion(still, a, still, still), phi) for a in by_axis], axis=2)
+
+
+def rate_matrix(t: Array) -> csr_array:
+    """(N, N), derivatives at times t (N,), by the two rows beside each (`numpy.gradient`)."""
+    step = np.diff(t)
+    before, after = step[:-1], step[1:]
+    weights = np.stack((-after / (before * (before + after)), (after - before) / (before * after), before / (after * (before + after))))
+    rows = np.arange(1, len(t) - 1)
+    data = np.concatenate(([-1.0 / step[0], 1.0 / step[0]], weights.T.ravel(), [-1.0 / step[-1], 1.0 / step[-1]]))
+    columns = np.concatenate(([0, 1], (rows[:, None] + [-1, 0, 1]).ravel(), [len(t) - 2, len(t) - 1]))
+    counts = np.concatenate(([0, 2], np.full(len(rows), 3), [2]))
+    return csr_array((data, columns, np.cumsum(counts)), shape=(len(t), len(t)))
 
 
 def window_rows(poses: Poses, t: Array, every: float = 1.0) -> Rows:

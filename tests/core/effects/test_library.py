@@ -104,6 +104,16 @@ def test_an_effect_leaves_the_wrench_that_it_was_given_untouched(effect: Effect,
 
 
 @every_effect
+def test_a_change_of_the_wrench_passes_as_it_is_where_an_effect_only_adds(effect: Effect, run: Scene) -> None:
+    rng = np.random.default_rng(5)
+    parameters = effect.parameters(run)
+    theta = np.clip([p.absent + p.scale * rng.uniform(0.2, 1.0) for p in parameters], *np.array([(p.lower, p.upper) for p in parameters]).T)
+    change = 0.3 * rng.normal(size=run.nominal.shape) * np.abs(run.nominal).max(axis=0)
+    passed = effect.wrench(run, run.nominal + change, theta) - effect.wrench(run, run.nominal, theta)
+    assert np.allclose(passed, change, rtol=0, atol=1e-9) == effect.only_adds
+
+
+@every_effect
 def test_bounds_contain_the_absent_value_and_scales_are_positive(effect: Effect, run: Scene) -> None:
     for p in effect.parameters(run):
         assert np.isfinite([p.lower, p.upper, p.scale, p.absent]).all(), p
