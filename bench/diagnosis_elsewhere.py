@@ -233,6 +233,38 @@ def jet(stage: Stage) -> None:
     stage.wrench = stage.wrench + np.hstack((force, np.cross([0.0, 0.03, 0.2], force)))
 
 
+@case("sensor_gain")
+def gain_by_sign(stage: Stage) -> None:
+    """Fz reads 2.5 % too much in one direction and 1 % too little in the other, tx half of that."""
+    w = stage.wrench
+    gain = np.where(w > 0, 1.0, -0.4) * [0.0, 0.0, 0.025, 0.0125, 0.0, 0.0]
+    stage.wrench = w * (1.0 + gain)
+
+
+@case("sensor_gain")
+def gain_that_warms_up(stage: Stage) -> None:
+    """All channels grow by 3 % while the sensor warms up, two thirds of it within a quarter of the run."""
+    stage.wrench = stage.wrench * (1.0 + 0.03 * (1.0 - np.exp(-4.0 * stage.share)))[:, None]
+
+
+@case("payload_shift")
+def two_shifts(stage: Stage) -> None:
+    """A fifth of the payload slips by 13 mm at 30 % of the run, and by 9 mm another way at 65 %."""
+    run, part = stage.run, 0.2 * stage.body.phi[0]
+    place = stage.body.phi[1:4] / stage.body.phi[0] + np.array([0.0, 0.01, 0.02])
+    for at, way in ((0.3, np.array([12e-3, 0.0, 4e-3])), (0.65, np.array([-3e-3, 9e-3, 0.0]))):
+        moved = _carry(run, part, place + way) - _carry(run, part, place)
+        stage.wrench = stage.wrench + (stage.share > at)[:, None] * moved
+        place = place + way
+
+
+def _carry(run: Run, mass: float, place: Array) -> Array:
+    """(N, 6), what a point mass at a place (3,), sensor axes, asks of the sensor."""
+    turning = np.cross(run.alpha, place) + np.cross(run.omega, np.cross(run.omega, place))
+    force = mass * (np.einsum("nji,nj->ni", run.rotation, run.a - GRAVITY) + turning)
+    return np.hstack((force, np.cross(place, force)))
+
+
 def make(name: str, seed: int) -> Recording:
     """The recording of a case, over its background."""
     rng = np.random.default_rng([seed, list(CASES).index(name)])

@@ -50,7 +50,7 @@ class SensorHysteresis(Effect):
         past = scene.past("play")
         start = np.tile(w[0], (len(SPREAD), 1)) if past.rows is None else past.rows
         W, past.rows = _turn_over(np.ascontiguousarray(w), theta[:6] * full, radius, start)
-        return W
+        return np.asarray(W)
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """A reason where the sensor's range is not known: shares of it then hold for this run only."""

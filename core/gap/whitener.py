@@ -50,7 +50,8 @@ def _average_and_whiten(data: Array, indices: NDArray[np.uintp], indptr: NDArray
             tz += weight * row[5]
         windowed[k, 0], windowed[k, 1], windowed[k, 2] = fx, fy, fz
         windowed[k, 3], windowed[k, 4], windowed[k, 5] = tx, ty, tz
-    return _whiten(windowed, by_row)
+    whitened: Array = _whiten(windowed, by_row)
+    return whitened
 
 
 @njit(cache=True)
