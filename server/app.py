@@ -27,7 +27,7 @@ from server.http.middleware import BodyLimit, Requests
 from server.http.openapi import describe
 from server.http.problem_answers import answer_with_problems
 from server.imports import routes as imports_routes
-from server.jobs import diagnosis_routes, motion_routes, trial_routes, twin_routes
+from server.jobs import diagnosis_routes, motion_routes, timeline_routes, trial_routes, twin_routes
 from server.people import account_routes, audit_routes, key_routes, own_session_routes, session_routes
 from server.people.authority import AUTHORITY
 from server.people.door import let_in
@@ -92,6 +92,7 @@ ROUTES = (
     live_routes,
     diagnosis_routes,
     imports_routes,
+    timeline_routes,
     motion_routes,
     trial_routes,
     webhook_routes,

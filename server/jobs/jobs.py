@@ -105,6 +105,12 @@ def list_jobs(db: Session, kind: str, limit: int) -> list[JobRow]:
     return list(db.scalars(select(JobRow).where(JobRow.kind == kind).order_by(JobRow.id.desc()).limit(limit)))
 
 
+def find_newest_done(db: Session, kind: str, about: str) -> JobRow | None:
+    """The newest job of a kind that is done and about something, such as a run; None where there is none."""
+    done = select(JobRow).where(JobRow.kind == kind, JobRow.about == about, JobRow.state == JobStatus.done)
+    return db.scalars(done.order_by(JobRow.id.desc()).limit(1)).first()
+
+
 class Worker:
     """Works through the waiting jobs of one kind."""
 

@@ -91,6 +91,7 @@ AUTHORITY: dict[str, frozenset[Role] | None] = {
     "POST /api/runs/{run}/acceptance": frozenset({operator}),
     "GET /api/runs/{run}/comparison/{other}": SIGNED_IN,
     "GET /api/series": SIGNED_IN,
+    "GET /api/timeline": SIGNED_IN,
     "GET /api/runs/{run}/exports": SIGNED_IN,
     "GET /api/runs/{run}/exports/{target}": SIGNED_IN,
     "GET /api/runs/{run}/certificate": SIGNED_IN,

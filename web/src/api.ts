@@ -1475,6 +1475,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/timeline": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Timeline
+         * @description Which unmodelled effect came when: from the newest finished diagnosis of each run.
+         */
+        get: operations["read_timeline"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/diagnoses/{diagnosis}/motion": {
         parameters: {
             query?: never;
@@ -3758,6 +3778,50 @@ export interface components {
             arguments: components["schemas"]["ArgumentPublic"][];
         };
         /**
+         * Diagnosed
+         * @description One of the recordings.
+         */
+        Diagnosed: {
+            /**
+             * Name
+             * @description What the recording is called.
+             * @example 2026-11-02
+             */
+            name: string;
+            /**
+             * Verdict
+             * @description The answer in one word.
+             * @enum {string}
+             */
+            verdict: "no_gap" | "explained" | "ambiguous" | "unknown" | "not_enough";
+            /** @description The answer in a sentence. */
+            summary: components["schemas"]["Message"];
+            /**
+             * Gap
+             * @description The gap before, in multiples of the noise (rms); null where it is not known.
+             * @example 4.2
+             */
+            gap: number | null;
+        };
+        /**
+         * DiagnosedRun
+         * @description A run with its newest finished diagnosis.
+         */
+        DiagnosedRun: {
+            /**
+             * Run
+             * @description Identifier of the run.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
+            run: string;
+            /**
+             * Diagnosis
+             * @description Identifier of the diagnosis.
+             * @example 019ab1c2e0a17d34a06c11
+             */
+            diagnosis: string;
+        };
+        /**
          * Diagnosis
          * @description The whole answer; all of it but `also` is about the wrench that the twin predicts.
          */
@@ -4295,6 +4359,30 @@ export interface components {
             arguments?: {
                 [key: string]: string;
             };
+        };
+        /**
+         * EffectTimeline
+         * @description One effect in all recordings.
+         */
+        EffectTimeline: {
+            /**
+             * Id
+             * @description Name of the effect or symptom.
+             * @example time_delay
+             */
+            id: string;
+            /** @description What it is called. */
+            title: components["schemas"]["Message"];
+            /**
+             * Sightings
+             * @description What each recording shows of it, in their order.
+             */
+            sightings: components["schemas"]["Sighting"][];
+            /**
+             * Onsets
+             * @description When it came and went; empty where that cannot be told.
+             */
+            onsets: components["schemas"]["Onset"][];
         };
         /**
          * EndedRequestPublic
@@ -6288,6 +6376,33 @@ export interface components {
              * @description Its shape and place, world frame.
              */
             shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"] | components["schemas"]["Mesh"];
+        };
+        /**
+         * Onset
+         * @description When an effect came, or went.
+         */
+        Onset: {
+            /**
+             * Change
+             * @description Which of the two.
+             * @example came
+             * @enum {string}
+             */
+            change: "came" | "went";
+            /**
+             * After
+             * @description Index of the last recording that shows the state before, 0 for the first recording; null where there is none.
+             * @example 1
+             */
+            after: number | null;
+            /**
+             * By
+             * @description Index of the first recording that shows the state after.
+             * @example 2
+             */
+            by: number;
+            /** @description The same as a message. */
+            message: components["schemas"]["Message"];
         };
         /**
          * OpenedTrial
@@ -9319,6 +9434,26 @@ export interface components {
          */
         Severity: "high" | "medium" | "low";
         /**
+         * Sighting
+         * @description One effect in one recording.
+         */
+        Sighting: {
+            /**
+             * State
+             * @description `present`: named by the verdict. `possible`: one of several between which this recording does not decide. `minor`: detected, but not material. `absent`: not seen, or too small to matter. `unclear`: this recording cannot show it, or has a gap that nothing explains.
+             * @example present
+             * @enum {string}
+             */
+            state: "present" | "possible" | "minor" | "absent" | "unclear";
+            /**
+             * Parameters
+             * @description Its fitted parameters by name; empty where nothing was fitted.
+             */
+            parameters: {
+                [key: string]: components["schemas"]["Value"];
+            };
+        };
+        /**
          * SimulatedRobot
          * @description The cell's virtual robot; nothing has to be said of it.
          */
@@ -9832,6 +9967,48 @@ export interface components {
             why: components["schemas"]["Message"];
             /** @description What would tell them apart. */
             splits: components["schemas"]["Message"];
+        };
+        /**
+         * Timeline
+         * @description What came when; effects in the order in which they came.
+         */
+        Timeline: {
+            /**
+             * Recordings
+             * @description The recordings, in the order in which they were made.
+             */
+            recordings: components["schemas"]["Diagnosed"][];
+            /**
+             * Effects
+             * @description Every effect that any of them names.
+             */
+            effects: components["schemas"]["EffectTimeline"][];
+            /**
+             * Summary
+             * @description What came and went, the earliest first; that nothing did, where nothing did.
+             */
+            summary: components["schemas"]["Message"][];
+        };
+        /**
+         * TimelinePublic
+         * @description What the diagnoses of several runs tell together.
+         */
+        TimelinePublic: {
+            /**
+             * Runs
+             * @description The runs that are diagnosed, the earliest first; messages call them 1, 2, 3 ...
+             */
+            runs: components["schemas"]["DiagnosedRun"][];
+            /**
+             * Undiagnosed
+             * @description Those of the runs without a finished diagnosis; they are left out.
+             * @example [
+             *       "019ab1c2d3e44f1c2a9be7"
+             *     ]
+             */
+            undiagnosed: string[];
+            /** @description Which effect each of `runs` shows, and what came and went. */
+            timeline: components["schemas"]["Timeline"];
         };
         /**
          * Tool
@@ -15612,6 +15789,8 @@ export type Cylinder = components['schemas']['Cylinder'];
 export type DecidingPart = components['schemas']['DecidingPart'];
 export type DeliveryPublic = components['schemas']['DeliveryPublic'];
 export type DescriptionPublic = components['schemas']['DescriptionPublic'];
+export type Diagnosed = components['schemas']['Diagnosed'];
+export type DiagnosedRun = components['schemas']['DiagnosedRun'];
 export type Diagnosis = components['schemas']['Diagnosis'];
 export type DiagnosisCreate = components['schemas']['DiagnosisCreate'];
 export type DiagnosisPublic = components['schemas']['DiagnosisPublic'];
@@ -15627,6 +15806,7 @@ export type DraftLink = components['schemas']['DraftLink'];
 export type DraftPair = components['schemas']['DraftPair'];
 export type DraftPublic = components['schemas']['DraftPublic'];
 export type DraftRobotCreate = components['schemas']['DraftRobotCreate'];
+export type EffectTimeline = components['schemas']['EffectTimeline'];
 export type EndedRequestPublic = components['schemas']['EndedRequestPublic'];
 export type EventMessage = components['schemas']['EventMessage'];
 export type Experiment = components['schemas']['Experiment'];
@@ -15680,6 +15860,7 @@ export type NearestFlight = components['schemas']['NearestFlight'];
 export type NearestPart = components['schemas']['NearestPart'];
 export type NetFtSensor = components['schemas']['NetFtSensor'];
 export type Obstacle = components['schemas']['Obstacle'];
+export type Onset = components['schemas']['Onset'];
 export type OpenedTrial = components['schemas']['OpenedTrial'];
 export type OrderPublic = components['schemas']['OrderPublic'];
 export type OrderReference = components['schemas']['OrderReference'];
@@ -15742,6 +15923,7 @@ export type Series = components['schemas']['Series'];
 export type SeriesPublic = components['schemas']['SeriesPublic'];
 export type SessionPublic = components['schemas']['SessionPublic'];
 export type Severity = components['schemas']['Severity'];
+export type Sighting = components['schemas']['Sighting'];
 export type SimulatedRobot = components['schemas']['SimulatedRobot'];
 export type Site = components['schemas']['Site'];
 export type SourcePart = components['schemas']['SourcePart'];
@@ -15758,6 +15940,8 @@ export type TargetQuantityPart = components['schemas']['TargetQuantityPart'];
 export type TargetReached = components['schemas']['TargetReached'];
 export type ThrowPart = components['schemas']['ThrowPart'];
 export type Tied = components['schemas']['Tied'];
+export type Timeline = components['schemas']['Timeline'];
+export type TimelinePublic = components['schemas']['TimelinePublic'];
 export type Tool = components['schemas']['Tool'];
 export type ToolOutline = components['schemas']['ToolOutline'];
 export type ToolPart = components['schemas']['ToolPart'];
@@ -23573,6 +23757,83 @@ export interface operations {
                 };
                 content: {
                     "application/problem+json": components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_timeline: {
+        parameters: {
+            query: {
+                /** @description Identifiers of the runs. */
+                run: string[];
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TimelinePublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
                 };
             };
             /** @description Service Unavailable */

@@ -35,6 +35,10 @@ const newCellScreen = screenLater(async () => {
   return (await import('./new-cell/new-cell-page')).newCellScreen;
 });
 const seriesScreen = screenLater(async () => (await import('./history/series-page')).seriesScreen);
+const timelineScreen = screenLater(async () => {
+  await fetchLaterMessages();
+  return (await import('./history/timeline-page')).timelineScreen;
+});
 const toolsScreen = screenLater(async () => {
   await fetchLaterMessages();
   return (await import('./tools/tools-page')).toolsScreen;
@@ -53,6 +57,7 @@ const SCREENS = new Map<string, () => Screen>([
   ['trials', trialsScreen],
   ['history', historyScreen],
   ['series', seriesScreen],
+  ['timeline', timelineScreen],
   ['tools', toolsScreen],
   ['cells', cellsScreen],
   ['new-cell', newCellScreen],

@@ -51,7 +51,7 @@ export const topic = computed<Topic>(() => {
   const [page = ''] = route.value;
   if (!session.value) return 'signIn';
   if (page === 'runs') return (run.value && OF_STATES[run.value.state]) ?? 'running';
-  if (page === 'series') return 'history';
+  if (page === 'series' || page === 'timeline') return 'history';
   if (page === 'import') return 'gap';
   return OF_PAGES.has(page) ? (page as Topic) : 'setup';
 });

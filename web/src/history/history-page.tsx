@@ -125,14 +125,20 @@ function toolOptions(): [string, string][] {
 
 function Actions() {
   const count = picked.value.length;
+  const said = words.value.history;
   return (
-    <Press
-      kind="primary"
-      disabled={count < 2}
-      act={() => go(count > 2 ? 'series' : 'history', ...picked.value)}
-    >
-      {words.value.history.compare}
-    </Press>
+    <>
+      <Press disabled={count < 2} act={() => go('timeline', ...picked.value)}>
+        {said.effects}
+      </Press>
+      <Press
+        kind="primary"
+        disabled={count < 2}
+        act={() => go(count > 2 ? 'series' : 'history', ...picked.value)}
+      >
+        {said.compare}
+      </Press>
+    </>
   );
 }
 

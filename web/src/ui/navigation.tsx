@@ -21,7 +21,10 @@ export function Navigation() {
       <a href={to('gap')} aria-current={ofGap ? 'page' : undefined}>
         {words.value.gap.nav}
       </a>
-      <a href={to('history')} aria-current={here === 'history' || here === 'series' ? 'page' : undefined}>
+      <a
+        href={to('history')}
+        aria-current={['history', 'series', 'timeline'].includes(here ?? '') ? 'page' : undefined}
+      >
         {said.history}
       </a>
       <a href={to('tools')} aria-current={here === 'tools' ? 'page' : undefined}>

@@ -7,6 +7,7 @@ export const history: typeof en.history = {
   nextTwo: 'Vergleichen Sie die beiden gewählten Läufe.',
   nextMore: (count) => `Sehen Sie sich die ${count} gewählten Läufe als Reihe an.`,
   compare: 'Vergleichen',
+  effects: 'Effekte im Lauf der Zeit',
   cell: 'Zelle',
   tool: 'Werkzeug',
   allTools: 'Alle Werkzeuge',

@@ -6,6 +6,7 @@ export const history = {
   nextTwo: 'Compare the two chosen runs.',
   nextMore: (count: number) => `Look at the ${count} chosen runs as a series.`,
   compare: 'Compare',
+  effects: 'Effects over time',
   cell: 'Cell',
   tool: 'Tool',
   allTools: 'All tools',
