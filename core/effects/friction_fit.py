@@ -23,6 +23,8 @@ MOVING = 0.02
 """rad/s, above which a joint slides."""
 RIDGE = 1e-3
 """Pull of the rigid body's parameters towards the URDF's, as a share of the rows."""
+BELOW = 3.0
+"""Standard deviations by which friction may seem to give energy."""
 
 
 @dataclass(frozen=True)
@@ -131,6 +133,21 @@ def _estimate_covariance(X: Array, e: Array, bread: Array, block: Array) -> Arra
     freedom = len(e) / max(len(e) - X.shape[1], 1)
     groups = len(scores) / max(len(scores) - 1, 1)
     return np.asarray(freedom * (groups * bread @ (scores.T @ scores) @ bread + bread * np.mean(e**2)))
+
+
+def bound_friction(friction: Array, covariance: Array) -> tuple[Array, Array]:
+    """Coefficients (k,) that give no energy, with standard uncertainties (k,): what is below zero within its uncertainty is zero, and the
+    others are what they most probably are then; NaN where one is further below zero, for then it is no friction that was fitted."""
+    std = np.sqrt(np.diag(covariance))
+    if (friction < -BELOW * std).any():
+        return np.full_like(friction, np.nan), np.full_like(friction, np.nan)
+    value, free = friction.copy(), friction > 0.0
+    if free.any() and not free.all():
+        of_fixed = covariance[np.ix_(~free, ~free)]
+        gain = covariance[np.ix_(free, ~free)] @ np.linalg.inv(of_fixed)
+        value[free] -= gain @ friction[~free]
+        std[free] = np.sqrt(np.maximum(np.diag(covariance[np.ix_(free, free)] - gain @ covariance[np.ix_(~free, free)]), 0.0))
+    return np.maximum(value, 0.0), std
 
 
 def sigma_of(friction: Array, covariance: Array) -> float:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.effects.effect import Finding, Parameter, Symptom, View
-from core.effects.friction_fit import FrictionFit, FrictionSignals, fit_joint, noise_of, sigma_of, tracking_error
+from core.effects.friction_fit import BELOW, FrictionFit, FrictionSignals, bound_friction, fit_joint, noise_of, sigma_of, tracking_error
 from core.recording.recording import Recording
 from core.words.message import Message
 
@@ -18,8 +18,8 @@ Flags = NDArray[np.bool_]
 
 LOUD, LEAST = 3.0, 0.02
 """Times the noise of one motionless sample, and share of the signal's spread, above which a torque stands out."""
-CERTAIN, BELOW = 5.0, 3.0
-"""Standard deviations by which friction is there, or differs, and by which it may seem to give energy."""
+CERTAIN = 5.0
+"""Standard deviations by which friction is there, or differs."""
 HALF = 0.5
 """Share of the stated friction by which it may differ."""
 TRACKING = float(np.radians(0.5))
@@ -55,9 +55,9 @@ class JointFriction(Symptom):
         """For each joint Coulomb, N m, and viscous friction, N m s/rad; without torques its Coulomb part of the tracking error, rad."""
         joints = range(0 if recording.q is None else recording.q.shape[1])
         if recording.tau is None:
-            return tuple(Parameter(f"joint_{j + 1}_coulomb_rad", "rad", 0.0, -0.1, 0.1, 0.001) for j in joints)
+            return tuple(Parameter(f"joint_{j + 1}_coulomb_rad", "rad", 0.0, 0.0, 0.1, 0.001) for j in joints)
         kinds = (("coulomb_nm", "N m", 5.0), ("viscous_nms_per_rad", "N m s/rad", 5.0))
-        return tuple(Parameter(f"joint_{j + 1}_{name}", unit, 0.0, -1e3, 1e3, scale) for j in joints for name, unit, scale in kinds)
+        return tuple(Parameter(f"joint_{j + 1}_{name}", unit, 0.0, 0.0, 1e3, scale) for j in joints for name, unit, scale in kinds)
 
     def observe(self, recording: Recording, view: View) -> Finding | None:
         """Fits friction to each joint and compares it with the cell's; None without any fit, or where none is found or missed."""
@@ -77,7 +77,15 @@ class JointFriction(Symptom):
         if verdict is None:
             return None
         sigma = max(0.0 if fit is None else sigma_of(fit.friction[:count], fit.covariance[:count, :count]) for fit in fits)
-        return Finding(theta, std, sigma, verdict.material, verdict.times, verdict.message)
+        told = [seen.bound(j) for j in range(len(fits))]
+        return Finding(
+            np.concatenate([value for value, _ in told]),
+            np.concatenate([spread for _, spread in told]),
+            sigma,
+            verdict.material,
+            verdict.times,
+            verdict.message,
+        )
 
     def advice(self, finding: Finding) -> Message:
         """Advises warming up, a look at joints that rub more than before, and stating the friction that is left in cell.toml."""
@@ -173,8 +181,13 @@ class _Seen:
     def _worst(self, among: Flags, measure: Array) -> int:
         return int(np.argmax(np.where(among, measure, -1.0)))
 
+    def bound(self, joint: int) -> tuple[Array, Array]:
+        """Coefficients and standard uncertainties of one joint, as they are told: none below zero."""
+        fit, count = self.fits[joint], self.theta.shape[1]
+        return (self.theta[joint], self.std[joint]) if fit is None else bound_friction(fit.friction[:count], fit.covariance[:count, :count])
+
     def _say_friction(self, joint: int) -> Message:
-        (coulomb, viscous), (coulomb_std, viscous_std) = self.theta[joint], self.std[joint]
+        (coulomb, viscous), (coulomb_std, viscous_std) = self.bound(joint)
         return Message.of(
             "symptom-friction",
             coulomb_nm=coulomb,
