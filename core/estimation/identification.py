@@ -21,6 +21,7 @@ from core.estimation.noise import WrenchNoise, sensor_noise, unknown_noise
 from core.estimation.nuisances import nuisances_of
 from core.estimation.offset import offset_of_opposed_poses
 from core.estimation.regression import Thresholds, regression
+from core.estimation.resting import identify_at_rest
 from core.estimation.segments import Segment, cut_at_gaps, motionless, segments_of_motion, segments_of_phase
 from core.estimation.setup.check import check_setup
 from core.estimation.setup.refutation import refute
@@ -63,10 +64,14 @@ def _identify(recording: Recording, twin: Twin) -> Identification:
         from core.estimation.joint_torques.identification import identify_by_torques  # noqa: PLC0415  loads an optimiser
 
         return identify_by_torques(recording)
-    answer = _identify_by_wrench(recording, recording.wrench, twin)
+
+    def identify(taken: Recording) -> Identification:
+        return _identify_by_wrench(taken, np.asarray(taken.wrench), twin)
+
+    answer = identify_at_rest(recording, identify, identify(recording))
     if answer.estimate is not None and answer.estimate.determined[0]:
         return answer
-    return identify_by_turning(recording, lambda placed: _identify_by_wrench(placed, np.asarray(placed.wrench), twin)) or answer
+    return identify_by_turning(recording, identify) or answer
 
 
 def _identify_by_wrench(recording: Recording, wrench: Array, twin: Twin) -> Identification:
@@ -88,7 +93,8 @@ def _identify_by_wrench(recording: Recording, wrench: Array, twin: Twin) -> Iden
     if setup.contradiction is not None:
         return _nothing(segments, setup.contradiction)
     still = _find_labelled_still(recording, segments) if static else motionless(recording.t, segments)
-    noise = sensor_noise(recording.t, wrench, still, segments, nominal_std=recording.sensor.noise_std)
+    # poses by themselves show no noise: what differs between them is gravity, whatever label they have in common
+    noise = sensor_noise(recording.t, wrench, still, () if static else segments, nominal_std=recording.sensor.noise_std)
     rows_only = static or (poses.position is None) or not bool((~still).any())
     if rows_only and int(still.sum()) < FEWEST_ROWS:
         return _nothing(segments, Message.of("estimation-too-few-still"))

@@ -7,7 +7,6 @@ and for every shift the payload and the offsets explain what they can. What is t
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +14,7 @@ from numpy.typing import NDArray
 from core.array import Array
 from core.estimation.segments import smooth_by_average, stretches
 from core.payload.inertia import Motion, regressor
-from core.recording.recording import COLUMNS, Recording
+from core.recording.recording import Recording, take_rows
 
 GRID_S = 0.02
 LARGEST_S = 1.0
@@ -93,6 +92,5 @@ def advance_wrench(recording: Recording, late_s: float) -> tuple[Recording, floa
     shift = period * round(late_s / period)
     nearest = np.clip(np.searchsorted(t, t + shift - 0.5 * period), 0, len(t) - 1)
     kept = np.abs(t[nearest] - t - shift) < 0.5 * period
-    columns: dict[str, Any] = {name: x[kept] for name in COLUMNS if (x := getattr(recording, name)) is not None}
     assert recording.wrench is not None
-    return replace(recording, t=t[kept], **{**columns, "wrench": recording.wrench[nearest[kept]]}), shift
+    return replace(take_rows(recording, kept), wrench=recording.wrench[nearest[kept]]), shift

@@ -134,6 +134,12 @@ BETWEEN_RUNS_S = 60.0
 COLUMNS = ("wrench", "q", "dq", "q_cmd", "tau", "orientation", "position", "temperature", "phase")
 
 
+def take_rows(recording: Recording, rows: NDArray[np.bool_]) -> Recording:
+    """A recording of some of its rows (N,) alone."""
+    columns: dict[str, Any] = {name: x[rows] for name in COLUMNS if (x := getattr(recording, name)) is not None}
+    return replace(recording, t=recording.t[rows], **columns)
+
+
 def check_same_robot(first: Recording, robot: RobotDescription | None, gravity: Array) -> None:
     """A recording can be continued by such a robot with gravity (3,) in its base frame.
 

@@ -22,6 +22,7 @@ estimation-inertia-uncertain = zu wenig Winkelbeschleunigung; { estimation-inert
 estimation-inertia-uncertain-about = kaum Winkelbeschleunigung um { $axes }; { estimation-inertia-size }
 estimation-inertia-size = die Standardunsicherheit wäre { SIGNIFICANT($std_kg_m2, digits: 2) } kg m² gegen { SIGNIFICANT($scale_kg_m2, digits: 2) } kg m², die Größe, auf die es ankommt
 estimation-too-few-still = zu wenige Messwerte im Stillstand, und keine Bewegung, die an ihre Stelle treten könnte
+estimation-rows-at-rest = eine Zeile in { MILLI($period_s, digits: 0) } ms ist zu langsam, um zu sagen, wie es sich dazwischen bewegt hat: nur die ruhenden, { $used } von { $rows } Zeilen, wurden verwendet; wer schneller aufzeichnet, sieht die Trägheit
 estimation-turned-about = Positionen fehlen: angenommen ist, dass der Sensor um eine ruhende Stelle gedreht wurde, { FIXED($distance_m, digits: 2) } m (Standardunsicherheit { FIXED($std_m, digits: 2) } m) von seinem Ursprung; genauer wird es mit aufgezeichneten Positionen oder mit mehreren ruhenden Stellungen
 estimation-place-uncertain = Positionen fehlen, und die Stelle, um die der Sensor gedreht wurde, ist nicht genau genug bekannt
 estimation-too-short = { FIXED($lasts_s, digits: 2) } s sind zu kurz, um etwas zu sagen

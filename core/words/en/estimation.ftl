@@ -25,6 +25,7 @@ estimation-inertia-uncertain-about = hardly any angular acceleration about { $ax
 estimation-inertia-size = its standard uncertainty would be { SIGNIFICANT($std_kg_m2, digits: 2) } kg m2 against { SIGNIFICANT($scale_kg_m2, digits: 2) } kg m2, the size that matters
 # Why nothing at all is determined.
 estimation-too-few-still = too few motionless samples, and no motion that could be used instead
+estimation-rows-at-rest = one row in { MILLI($period_s, digits: 0) } ms is too slow to tell how it moved between: { $used } of { $rows } rows, those at rest, were used alone; log faster to see the inertia
 estimation-turned-about = positions are missing: the sensor is taken to have turned about one place at rest, { FIXED($distance_m, digits: 2) } m (standard uncertainty { FIXED($std_m, digits: 2) } m) from its origin; log positions, or hold still in several poses, to know better
 estimation-place-uncertain = positions are missing, and the place that the sensor turned about is not known well enough
 estimation-too-short = { FIXED($lasts_s, digits: 2) } s are too short to say anything
