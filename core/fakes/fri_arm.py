@@ -16,11 +16,9 @@ from scipy.spatial.transform import Rotation
 
 from core.array import Array
 from core.cell.cell import Cell
-from core.fakes.flange import flange_at
 from core.fakes.fri_protocol import Answer, FriMessages, fill
+from core.fakes.moved_arm import MovedArm
 from core.payload.inertia import InertialParameters
-from core.plant.braking import braking_positions
-from core.plant.virtual_robot import VirtualRobot
 
 IDLE, MONITORING_WAIT, MONITORING_READY, COMMANDING_WAIT, COMMANDING_ACTIVE = range(5)
 POOR, FAIR, GOOD, EXCELLENT = range(4)
@@ -31,23 +29,15 @@ WINDOW, SILENT = 50, 10
 READY, SYNCHRONOUS = 20, 10
 """Cycles from a good connection to the motion of the application; cycles for which a client has to echo before it is followed."""
 ECHO_RAD = 1e-4
-BRAKING = 6.0
-"""Of every joint where the motion ends, rad/s2."""
-MOVING_RAD = 1e-6
-"""A robot whose target moves by less in a cycle stands."""
-DRIVES = 0.001
-"""Period of the drives, s."""
 BEGAN_S = 1_700_000_000
 """What the controller's clock shows at the beginning, s."""
 
 
-class FriArm:
-    """What the controller knows and does.
+class FriArm(MovedArm):
+    """What the controller knows and does; the cell's sensor is on a line of its own.
 
     Args:
-        cell: gives arm and where it stands; its sensor is on a line of its own.
-        payload: what it carries, sensor frame; a bare flange where None.
-        seed: of the noise.
+        cell, payload, seed: as of any arm.
         period_ms: how often it sends.
         version: 1 tells the last command in every message, 2 the pose of the tool centre point instead.
     """
@@ -55,12 +45,9 @@ class FriArm:
     def __init__(
         self, cell: Cell, payload: InertialParameters | None = None, seed: int = 0, *, period_ms: int = 2, version: int = 2
     ) -> None:
-        carried = payload or InertialParameters(np.zeros(10))
-        self.cell, self.period_ms, self.version = cell, period_ms, version
-        self.period = 1e-3 * period_ms
-        self._robot = VirtualRobot(cell, carried, np.random.default_rng(seed))
+        super().__init__(cell, payload, seed, 1e-3 * period_ms)
+        self.period_ms, self.version = period_ms, version
         self._messages = FriMessages()
-        self.n = self._robot.arm.n
         self.session, self.quality, self.safety, self.operation, self.control = MONITORING_WAIT, POOR, 0, 2, 0
         self.command_mode, self.overlay, self.multiplier = 1, 1, 1
         self.application = True
@@ -68,31 +55,12 @@ class FriArm:
         self.drives_off = 0
         """How many drives have failed."""
         self.joint_speed = np.array([joint.velocity for joint in self._robot.arm.joints])
-        self.order = list(range(self.n))
-        """Which of the arm's joints the controller counts as its first, second, ...; another order is another robot."""
-        self.stretch = 0.0
-        """How much farther the flange is along its z than the model says, m: another arm."""
-        self.periods_followed = self.missed = 0
-        """Cycles in which a client was followed, and those of them in which the arm moved and no new command had come."""
         self._answers: deque[bool] = deque(maxlen=WINDOW)
         self._unanswered = self._in_state = self._echoed = 0
         self.sequence = self._reflected = 0
         self._wanted: Array | None = None
         self._fresh = self._answered = False
-        self._braking: list[Array] = []
-        self.target = self.last = self.held = self._robot.home
-        self.t = 0.0
-        self.samples = [self._robot.step(self.target)]
-
-    @property
-    def q(self) -> Array:
-        """(n,), where the arm really is, rad."""
-        return self._robot.truth.q
-
-    @property
-    def moves(self) -> bool:
-        """Whether it is on its way."""
-        return float(np.abs(self.target - self.last).max()) > MOVING_RAD
+        self.held = self.target
 
     @property
     def obeys(self) -> bool:
@@ -136,13 +104,7 @@ class FriArm:
         elif self.obeys:
             self._follow()
         self._fresh = self._answered = False
-        # the drives step many times in a cycle, on the parabola through the last three targets, or the arm would be jerked
-        steps = round(self.period / DRIVES)
-        shares = [(k + 1) / steps for k in range(steps)]
-        curve = [0.5 * s * (s - 1.0) * self.last + (1.0 - s * s) * before + 0.5 * s * (s + 1.0) * self.target for s in shares[:-1]]
-        self.samples = [self._robot.step(q) for q in [*curve, self.target]]
-        self.last = before
-        self.t += self.period
+        self._move(before)
         self.sequence = (self.sequence + 1) % 2**32
 
     def message(self) -> bytes:
@@ -170,11 +132,6 @@ class FriArm:
             told.ipoData.clientCommandMode, told.ipoData.overlayType = self.command_mode, self.overlay
             told.ipoData.trackingPerformance = 1.0 if self.obeys else 0.0
         return bytes(told.SerializeToString())
-
-    def flange(self, q: Array) -> tuple[Array, Array]:
-        """Position, m, and rotation of the flange in the base frame."""
-        position, rotation = flange_at(self.cell, self._robot.arm, q)
-        return position + rotation[:, 2] * self.stretch, rotation
 
     def _tell_pose(self, pose: Any, q: Array) -> None:
         position, rotation = self.flange(q)
@@ -231,7 +188,6 @@ class FriArm:
     def _leave(self, state: int) -> None:
         """A motion that is under way ends: the arm brakes."""
         if self.obeys and self.moves:
-            dq = (self.target - self.last) / self.period
-            self._braking = list(braking_positions(self.target, dq, np.full(self.n, BRAKING), period=self.period))
+            self._brake()
         self._wanted = None
         self._enter(state)

@@ -11,38 +11,24 @@ from scipy.spatial.transform import Rotation
 
 from core.array import Array
 from core.cell.cell import Cell
-from core.fakes.flange import flange_at
+from core.fakes.moved_arm import MovedArm
 from core.fakes.urscript import ScriptError, compile_script, run_secondary
 from core.payload.inertia import InertialParameters
-from core.plant.braking import braking_positions
-from core.plant.virtual_robot import VirtualRobot
 
 PERIOD = 0.002
 NORMAL, PROTECTIVE, EMERGENCY, FAULT = 1, 3, 7, 9
 STOPPED, PLAYING = 1, 2
-BRAKING = 6.0
-"""Of every joint in a stop, rad/s2."""
 LIMIT = 2 * math.pi
 JOINT_SPEED = math.pi
 LARGEST_INERTIA = 133.0
 """Of an entry, kg m2."""
-MOVING_RAD = 1e-6
-"""A robot whose target moves by less in a period stands."""
 
 
-class UrArm:
-    """What the controller knows and does.
-
-    Args:
-        cell: gives arm, sensor and where the arm stands.
-        payload: what it carries, sensor frame; a bare flange where None.
-        seed: of the sensor's offset and noise.
-    """
+class UrArm(MovedArm):
+    """What the controller knows and does. Arguments as of any arm."""
 
     def __init__(self, cell: Cell, payload: InertialParameters | None = None, seed: int = 0) -> None:
-        carried = payload or InertialParameters(np.zeros(10))
-        self.cell = cell
-        self._robot = VirtualRobot(cell, carried, np.random.default_rng(seed))
+        super().__init__(cell, payload, seed, PERIOD)
         self._mount = cell.sensor.mount
         self.model, self.serial, self.version = "UR5", "20245500123", (5, 17, 3, 0)
         self.remote, self.speed_fraction, self.safety_mode, self.robot_mode = True, 1.0, NORMAL, 7
@@ -50,27 +36,12 @@ class UrArm:
         self.payload, self.payload_com, self.payload_inertia = 0.0, np.zeros(3), np.zeros(6)
         self.zeroed = 0
         """How often the force/torque sensor was zeroed; the raw wrench, which is all that is told of it here, does not show that."""
-        self.order = list(range(self._robot.arm.n))
-        """Which of the arm's joints the controller counts as its first, second, ...; another order is another robot."""
-        self.stretch = 0.0
-        """How much farther the flange is along its z than the model says, m: an arm with another calibration."""
         self.inputs: dict[str, float] = {}
         self.outputs: dict[str, float] = {}
         self.input_age: dict[str, float] = {}
         self._program: Generator[None, None, None] | None = None
         self._watchdog: tuple[str, float] | None = None
-        self._braking: list[Array] = []
-        self.target = self.last = self._robot.home
-        self.t = 0.0
-        self.periods_followed = self.missed = 0
-        """Periods in which the program followed commands, and those of them in which the arm moved and no new one had come."""
         self._number = -1.0
-        self.samples = [self._robot.step(self.target)]
-
-    @property
-    def q(self) -> Array:
-        """(6,), where the arm really is, rad."""
-        return self._robot.truth.q
 
     @property
     def playing(self) -> bool:
@@ -130,11 +101,7 @@ class UrArm:
                 self.end_program()
         if self._program is None and self._braking:
             self.target = self._braking.pop(0)
-        # the drives step twice in a period: halfway they are on the parabola through the last three targets, or the arm would be jerked
-        halfway = (3.0 * self.target + 6.0 * before - self.last) / 8.0
-        self.samples = [self._robot.step(halfway), self._robot.step(self.target)]
-        self.last = before
-        self.t += PERIOD
+        self._move(before)
 
     def report(self) -> dict[str, object]:
         """Every output of RTDE that is had here, by name."""
@@ -161,11 +128,6 @@ class UrArm:
             "payload_inertia": self.payload_inertia,
             **self.outputs,
         }
-
-    def flange(self, q: Array) -> tuple[Array, Array]:
-        """Position, m, and rotation of the flange in the base frame."""
-        position, rotation = flange_at(self.cell, self._robot.arm, q)
-        return position + rotation[:, 2] * self.stretch, rotation
 
     def _wrench_on_flange(self, wrench: Array) -> Array:
         """What the load exerts on the flange, from what the sensor exerts on the load in its own frame."""
@@ -199,8 +161,7 @@ class UrArm:
         del a, v
         number = self.inputs.get("input_int_register_24", 0.0)
         self.periods_followed += 1
-        moves = float(np.abs(self.target - self.last).max()) > MOVING_RAD
-        self.missed += moves and number == self._number
+        self.missed += self.moves and number == self._number
         self._number = number
         wanted = np.empty_like(self.target)
         wanted[self.order] = q
@@ -220,10 +181,3 @@ class UrArm:
 
     def _sync(self) -> Generator[None, None, None]:
         yield
-
-    def _brake(self, acceleration: float = BRAKING) -> None:
-        if self._braking:
-            return
-        dq = (self.target - self.last) / PERIOD
-        if np.abs(dq).max() > 0.0:
-            self._braking = list(braking_positions(self.target, dq, np.full(dq.size, acceleration), period=PERIOD))

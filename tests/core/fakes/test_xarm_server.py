@@ -12,11 +12,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from core.cell.folder import load_cell
-from core.estimation.kinematics import Poses, smooth_motion
-from core.fakes.xarm_arm import COLLISION, EMERGENCY, GO, SERVO, XarmArm
+from core.fakes.xarm_arm import COLLISION, EMERGENCY, SERVO, XarmArm
 from core.fakes.xarm_server import XarmServer
-from core.payload.inertia import regressor
-from core.robot.model import RobotModel
 
 CELLS = Path(__file__).parents[3] / "cells"
 CELL = load_cell(CELLS / "ur5e_line")
@@ -215,29 +212,3 @@ def test_a_robot_of_seven_joints_moves_at_250_hz():
     assert (arm.periods_followed, arm.missed) == (25, 0)
     np.testing.assert_allclose(arm.t, 0.1)
     np.testing.assert_allclose(arm.q, np.array(cell.robot.home_rad) + 0.024, atol=5e-3)
-
-
-def test_force_and_positions_of_a_report_are_of_one_moment():
-    """Newton's law for the positions that are told: forces that belong to another moment look like another mass."""
-    carried = CELL.payloads["steel_block"].parameters
-    arm = XarmArm(CELL, carried, seed=1)
-    arm.sensor_on = True
-    arm.set_mode(SERVO)
-    arm.set_state(GO)
-    home, t = arm.target, arm.period * np.arange(1200)
-    swings = np.sin(2.0 * np.pi * np.outer(t, [1.1, 1.7, 0.9, 2.3, 1.4, 2.0])) * np.minimum(1.0, t)[:, None] ** 3
-    samples = []
-    for swing in swings:
-        arm.servo(home + 0.12 * swing)
-        arm.step()
-        samples.append((arm.samples[-1].q, -arm.raw_force()))
-    q, wrench = (np.array(each) for each in zip(*samples, strict=True))
-    robot = RobotModel.of_cell(CELL)
-    pose = robot.sensor_poses(q)
-    motion, _ = smooth_motion(Poses(t, pose.rotation, pose.position, CELL.gravity_in_base, np.zeros((6, 6))), window_s=0.03)
-    rows = slice(250, -50)
-    expected = (regressor(motion) @ carried.phi)[:, :3]
-    change = np.gradient(expected, arm.period, axis=0)[rows].ravel()
-    off = (wrench[:, :3] - arm._robot.truth.offset[:3] - expected)[rows].ravel()
-    late_s = -float(change @ off) / float(change @ change)
-    assert abs(late_s) < 3e-4
