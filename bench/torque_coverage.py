@@ -1,7 +1,8 @@
 """Whether 95 % intervals from joint torques hold the truth: `python -m bench.torque_coverage --count 30`.
 
-Two sources: a generator that shares no code with the engine (`tests.torque_recordings`, LuGre friction, wrong current constants), and the
-virtual robot with the friction of its drives; each beside a recording without payload and, where there is one, with the arm's model alone.
+Three sources: a generator that shares no code with the engine (`tests.torque_recordings`, LuGre friction, wrong current constants), the
+virtual robot with the friction of its drives on a motion without regard to the cell, and the same robot on the motions that
+`heft plan --for joint-torques` finds; each beside a recording without payload and, where there is one, with the arm's model alone.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import argparse
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -22,14 +24,19 @@ from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
 from core.estimation.estimate import Identification
 from core.estimation.joint_torques.identification import identify_by_torques
+from core.events import drive
+from core.gap.planned_path import path_of
 from core.payload.inertia import PHI_NAMES, InertialParameters
+from core.planning.stops import PlanRequest, Stops
 from core.plant.virtual_robot import VirtualRobot
-from core.recording.recording import Recording, RobotDescription
+from core.recording.recording import Recording
+from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from tests.torque_recordings import make
 
 INTERVAL = 1.96
 SECONDS = 20.0
+NOTHING = InertialParameters(np.zeros(10))
 OFF = (-0.1, -0.08, -0.05, 0.05, 0.08, 0.1)
 """Wrong current constants of 5 to 10 %."""
 
@@ -54,33 +61,64 @@ def virtual(seed: int) -> Pair:
     """Of the virtual robot of `cells/lwr4_bench`: torques without error of gain, friction of its drives, rotors; stated 0.2 % and 2 %."""
     rng = np.random.default_rng(seed)
     cell = load_cell(find_cell("lwr4_bench"))
-    size = rng.uniform(0.06, 0.15, 3)
-    m = float(rng.uniform(1.0, 5.0))
-    payload = InertialParameters.from_com(m, rng.uniform(-0.04, 0.06, 3), np.diag(m / 12.0 * (size @ size - size**2)))
-    loaded, empty = (record(cell, carried, rng) for carried in (payload, InertialParameters(np.zeros(10))))
+    payload = draw_payload(rng)
+    loaded, empty = (record(cell, carried, swing(cell, rng), rng) for carried in (payload, NOTHING))
     return Pair(loaded, empty, payload.phi)
 
 
-def record(cell: Cell, payload: InertialParameters, rng: np.random.Generator) -> Recording:
-    """What it reports while its joints swing as sums of sines about home, beginning and ending at rest."""
-    robot, virtual_robot = RobotModel.of_cell(cell), VirtualRobot(cell, payload, rng)
-    n, home = robot.n, np.array(cell.robot.home_rad)
-    w, p = 2.0 * np.pi * rng.uniform(0.05, 0.5, (4, n)), rng.uniform(0.0, 2.0 * np.pi, (4, n))
+def planned(seed: int) -> Pair:
+    """Of the same robot, which makes the motions that are planned for it, the same twice."""
+    rng = np.random.default_rng(seed)
+    cell = load_cell(find_cell("lwr4_bench"))
+    q_cmd = plan_motions()
+    payload = draw_payload(rng)
+    loaded, empty = (record(cell, carried, q_cmd, rng) for carried in (payload, NOTHING))
+    return Pair(loaded, empty, payload.phi)
+
+
+def draw_payload(rng: np.random.Generator) -> InertialParameters:
+    """A block of 1 to 5 kg about the sensor."""
+    size = rng.uniform(0.06, 0.15, 3)
+    m = float(rng.uniform(1.0, 5.0))
+    return InertialParameters.from_com(m, rng.uniform(-0.04, 0.06, 3), np.diag(m / 12.0 * (size @ size - size**2)))
+
+
+@cache
+def plan_motions() -> Array:
+    """(N, n), joint positions every millisecond of the motions that are planned in that cell for whatever its box contains."""
+    cell = load_cell(find_cell("lwr4_bench"))
+    robot, home = RobotModel.of_cell(cell), np.array(cell.robot.home_rad)
+    asked = PlanRequest(cell, cell.payload_box, home, 0, 0.001, "rrt_connect", 0)
+    plan = drive(Stops.of_joint_torques().plan(asked, robot, CollisionModel(cell, robot, cell.payload_box)))
+    print(f"planned in {plan.plan_s:.0f} s: {plan.robot_s:.0f} s of motion", file=sys.stderr, flush=True)
+    like = Recording(t=np.array([0.0, 0.001]), gravity=cell.gravity_in_base, robot=robot.description)
+    path = path_of(plan, robot, like).q
+    assert path is not None  # of an arm
+    return path
+
+
+def swing(cell: Cell, rng: np.random.Generator) -> Array:
+    """(N, n), joint positions every millisecond of sums of sines about home, beginning and ending at rest."""
+    home = np.array(cell.robot.home_rad)
+    w, p = 2.0 * np.pi * rng.uniform(0.05, 0.5, (4, len(home))), rng.uniform(0.0, 2.0 * np.pi, (4, len(home)))
     a = np.minimum(0.3 / w, 0.25)
     t = np.arange(int(SECONDS * 1000)) / 1000.0
-    swing = (a * np.sin(w * t[:, None, None] + p)).sum(axis=1)
     fade = np.clip(np.minimum(t, t[-1] - t) / 2.0, 0.0, 1.0)
-    q_cmd = home + (fade**3 * (10.0 - 15.0 * fade + 6.0 * fade**2))[:, None] * swing
+    rise = fade**3 * (10.0 - 15.0 * fade + 6.0 * fade**2)
+    return np.asarray(home + rise[:, None] * (a * np.sin(w * t[:, None, None] + p)).sum(axis=1))
+
+
+def record(cell: Cell, payload: InertialParameters, q_cmd: Array, rng: np.random.Generator) -> Recording:
+    """What the robot reports while it is told joint positions (N, n), one every millisecond."""
+    robot, virtual_robot = RobotModel.of_cell(cell), VirtualRobot(cell, payload, rng)
     samples = [virtual_robot.step(row) for row in q_cmd]
     q, tau = (np.array([getattr(sample, name) for sample in samples])[::4] for name in ("q", "tau"))
-    base = cell.robot
-    gravity = base.base.rotation.T @ cell.gravity
-    described = RobotDescription(cell.urdf, robot.description.joints, base.base_frame, base.sensor_frame)
-    recording = Recording(t=t[::4], gravity=gravity, q=q, tau=tau, robot=described)
+    t = np.arange(len(q_cmd))[::4] / 1000.0
+    recording = Recording(t=t, gravity=cell.gravity_in_base, q=q, tau=tau, robot=robot.description)
     return replace(recording, torque_gain_std=0.002, link_mass_std=0.02)
 
 
-SOURCES: dict[str, Callable[[int], Pair]] = {"independent": independent, "virtual robot": virtual}
+SOURCES: dict[str, Callable[[int], Pair]] = {"independent": independent, "virtual robot": virtual, "planned motions": planned}
 
 
 def main() -> None:

@@ -22,7 +22,19 @@ from core.cli.options import (
 )
 from core.cli.terminal import answers, find_wording, messages
 from core.errors import BadInput
-from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, TargetOption, scope_of
+from core.planning.joint_torques import find_known_load
+from core.planning.options import (
+    AxesOption,
+    EffortOption,
+    FromOption,
+    HoldsOnlyOption,
+    Purpose,
+    PurposeOption,
+    SpeedOption,
+    TargetOption,
+    scope_of,
+    stops_for,
+)
 from core.planning.settings import WHOLE
 from core.planning.slow_run import limit_speed
 from core.planning.starting_point import starting_point
@@ -51,6 +63,13 @@ def run(
     speed: SpeedOption = None,
     effort: EffortOption = 1,
     target: TargetOption = None,
+    purpose: PurposeOption = Purpose.wrist_sensor,
+    empty: Annotated[
+        bool,
+        typer.Option(
+            "--empty", help="The motions that the payload is identified with, without it: for heft identify LOADED --without EMPTY."
+        ),
+    ] = False,
     out: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Folder to make, or an empty one, for recording, result.json and report.")
     ] = None,
@@ -69,11 +88,12 @@ def run(
     """
     loaded = limit_speed(load_cell(find_cell(cell)), speed, "--speed")
     scope = scope_of(axes, holds_only=holds_only)
-    if experiment is not None and (start is not None or scope != WHOLE):
+    if experiment is not None and (start is not None or scope != WHOLE or purpose != Purpose.wrist_sensor or empty):
         raise BadInput("--experiment", "cli-experiment-beside-others")
     wanted = None if target is None else parse_target(target)
     if experiment is not None and wanted is not None:
         raise BadInput("--target", "target-beside-experiment")
+    stops = stops_for(purpose, scope, wanted)
     asked, before = (None, None) if experiment is None else read_request(experiment, recording, loaded)
     simulated = is_simulated(loaded)
     if start is not None and not simulated:
@@ -81,23 +101,25 @@ def run(
     named = payload or (asked.payload if asked else None)
     # nobody knows what a real robot carries, unless somebody says so
     name, carried = choose_payload(loaded, named) if simulated or named else (None, None)
-    folder = out or Path("recordings") / f"{loaded.name}-{name or 'unknown'}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
+    mounted = None if empty else name
+    folder = out or Path("recordings") / f"{loaded.name}-{'empty' if empty else name or 'unknown'}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
     check_new(folder, json)
     pace = RealTime() if real_time else AsFastAsPossible()
     twin = read_twin(loaded)
     stands = starting_point(start, loaded, RobotModel.of_cell(loaded))
-    load = None if carried is None else carried.parameters
-    simulation = Simulation(load, seed=seed + (before is not None), pace=pace, twin=twin, start=stands)
+    load = None if carried is None or empty else carried.parameters
+    simulation = Simulation(load, seed=seed + (before is not None) + empty, pace=pace, twin=twin, start=stands)
     session = open_robot_session(loaded, simulation)
     stands = session.find_start()
     steps = identify(
         loaded,
         session,
         loaded.payload_box if carried is None else carried.box,
-        stops=Stops.of_procedure(scope) if asked is None else Stops(asked.stops),
+        stops=stops if asked is None else Stops(asked.stops),
         before=before,
-        payload=name if asked is None else None,
-        reference=carried if asked is None else None,
+        payload=mounted if asked is None else None,
+        reference=carried if asked is None and not empty else None,
+        load=find_known_load(loaded, name),
         start=stands,
         planner=planner.value,
         seed=seed,

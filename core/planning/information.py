@@ -65,8 +65,7 @@ def find_information(cell: Cell, robot: RobotModel, legs: Sequence[Leg], timing:
     """
     total = np.zeros((16, 16))
     for leg in legs:
-        moving = [leg.transfer.trajectory] + ([] if leg.wave is None else [leg.wave])
-        for trajectory in moving:
+        for trajectory in leg.trajectories:
             total += _sum(cell, find_felt_motion(robot, cell.gravity, _thin(trajectory)), EVERY_S, trajectory.period)
         g = robot.sensor_pose(leg.start.q).rotation.T @ cell.gravity
         still_s = timing.hold_s + (timing.settle_s if leg.moving_s > 0.0 else 0.0)

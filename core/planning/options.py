@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from enum import StrEnum
 from typing import Annotated
 
 import typer
 
 from core.errors import BadInput
 from core.planning.settings import MAX_EFFORT, Scope
+from core.planning.stops import Stops
+from core.requirement.target import Target
 
 FromOption = Annotated[
     str | None,
@@ -41,6 +44,21 @@ EffortOption = Annotated[
 ]
 
 
+class Purpose(StrEnum):
+    """What a payload is to be identified from."""
+
+    wrist_sensor = "wrist-sensor"
+    joint_torques = "joint-torques"
+
+
+PurposeOption = Annotated[
+    Purpose,
+    typer.Option(
+        "--for",
+        help="What the payload is to be identified from: the wrist sensor, or the torques of the joints, which the same motions without it "
+        "are compared with.",
+    ),
+]
 TargetOption = Annotated[
     str | None,
     typer.Option(
@@ -64,3 +82,16 @@ def scope_of(axes: str, *, holds_only: bool) -> Scope:
     if not letters or set(letters) - set("xyz"):
         raise BadInput("--axes", "planning-axes-unknown", axes=axes)
     return Scope(axes="".join(axis for axis in "xyz" if axis in letters), rotations=not holds_only)
+
+
+def stops_for(purpose: Purpose, scope: Scope, target: Target | None = None) -> Stops:
+    """What the robot is to go through.
+
+    Raises:
+        BadInput: for the joints' torques it does not turn about sensor axes, and ends when it has come through.
+    """
+    if purpose == Purpose.wrist_sensor:
+        return Stops.of_procedure(scope, target=target)
+    if not scope.rotations or target is not None:
+        raise BadInput("--for", "planning-torques-whole", option="--target" if target is not None else "--holds-only")
+    return Stops.of_joint_torques(scope.axes)

@@ -70,6 +70,11 @@ class Leg:
         return "" if self.stop.swings is None else self.stop.swings.about
 
     @property
+    def trajectories(self) -> tuple[JointTrajectory, ...]:
+        """Its motions that are joint trajectories, all but a rotation."""
+        return (self.transfer.trajectory,) if self.wave is None else (self.transfer.trajectory, self.wave)
+
+    @property
     def moving_s(self) -> float:
         """Time of the movement at its end, s."""
         return sum(motion.duration for motion in (self.profile, self.wave) if motion is not None)

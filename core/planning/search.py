@@ -28,6 +28,7 @@ from core.planning.start_configuration import Attitude, Grid, StartConfiguration
 from core.planning.stop import Stop, Swings, wave_shape
 from core.planning.summary import PlanTorques
 from core.planning.throw import ThrowCheck
+from core.planning.torque_wave import choose_wave
 from core.planning.transfer import Transfer, plan_transfer
 from core.planning.wave import fit_wave
 from core.planning.ways_home import add_ways_home
@@ -87,7 +88,7 @@ def plan_stops(
     here = start
     worth = None if target is None else Worth(target, torques.load.parameters)
     for group in _group_opposites(stops):
-        legs += yield from search.reach(group, here) if worth is None else search.reach_most_telling(group, here, legs, worth, timing)
+        legs += yield from search.reach(group, here, legs) if worth is None else search.reach_most_telling(group, here, legs, worth, timing)
         here = legs[-1].transfer.goal
     back = way_home(cell, robot, collision, here, period=period, planner=planner, seed=seed, effort=effort)
     yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
@@ -206,15 +207,18 @@ class _Search:
     torques: JointTorques
     effort: int
 
-    def reach(self, group: tuple[Stop, ...], here: Array) -> Generator[Event, None, list[Leg]]:
+    def reach(self, group: tuple[Stop, ...], here: Array, before: Sequence[Leg]) -> Generator[Event, None, list[Leg]]:
         """Stops that can be reached from joint positions `here`, and leave room for what is done there; others where these cannot.
 
         A rotation that the stop does not say how often to repeat is made once.
+
+        Args:
+            before: the legs up to there: a wave that is for planning to choose tells what these leave open.
         """
         for attempt, iterations in enumerate(path_iterations(self.effort)):
             starts = yield from self._find(group, here, self.seed + 101 * attempt)
             try:
-                return (yield from self._connect(group, starts, here, iterations))
+                return (yield from self._connect(group, starts, here, iterations, before))
             except NoPath as error:
                 failure = error
         failure.axis = group[0].label
@@ -224,10 +228,10 @@ class _Search:
         self, group: tuple[Stop, ...], here: Array, before: Sequence[Leg], worth: Worth, timing: Timing
     ) -> Generator[Event, None, list[Leg]]:
         """Of several ways to the same stops that which gains most for each second of robot time, after what the legs before have told."""
-        found = [(yield from self.reach(group, here))]
+        found = [(yield from self.reach(group, here, before))]
         for k in range(1, ALTERNATIVES):
             with suppress(Refused):
-                found.append(drive(replace(self, seed=self.seed + 1009 * k).reach(group, here)))
+                found.append(drive(replace(self, seed=self.seed + 1009 * k).reach(group, here, before)))
         known = find_information(self.cell, self.robot, before, timing)
         size = worth.find_size(known)
 
@@ -287,7 +291,7 @@ class _Search:
         return replace(found, about="" if stop.swings is None else about)
 
     def _connect(
-        self, group: tuple[Stop, ...], starts: list[StartConfiguration], here: Array, iterations: int
+        self, group: tuple[Stop, ...], starts: list[StartConfiguration], here: Array, iterations: int, before: Sequence[Leg]
     ) -> Generator[Event, None, list[Leg]]:
         """Transfers from one stop to the next, and what is done at their ends."""
         legs: list[Leg] = []
@@ -304,14 +308,19 @@ class _Search:
                 seed=self.seed,
                 iterations=iterations,
             )
-            legs.append(self._make_leg(stop, replace(start, q=transfer.goal), transfer))
+            legs.append(self._make_leg(stop, replace(start, q=transfer.goal), transfer, [*before, *legs]))
             yield TransferPlanned(axis=stop.label, robot_s=transfer.trajectory.duration, least_margin_m=transfer.least_margin_m)
             here = transfer.goal
         return legs
 
-    def _make_leg(self, stop: Stop, start: StartConfiguration, transfer: Transfer) -> Leg:
+    def _make_leg(self, stop: Stop, start: StartConfiguration, transfer: Transfer, before: Sequence[Leg]) -> Leg:
         if stop.swings is not None:
             return Leg(stop, start, transfer, profile=self._profile(stop.swings, stop.swings.repetitions or 1))
+        if stop.wave is not None and stop.wave.wrist is None:
+            made = [*(each for leg in before for each in leg.trajectories), transfer.trajectory]
+            load = self.torques.load.parameters
+            chosen, wave = choose_wave(self.cell, self.robot, self.collision, load, start.q, stop.wave, made)
+            return Leg(stop.model_copy(update={"wave": chosen}), start, transfer, wave=wave)
         if stop.wave is not None:
             shape = wave_shape(stop.wave, self.robot.n, self.period)
             return Leg(stop, start, transfer, wave=fit_wave(self.cell, self.robot, self.collision, start.q, shape, self.period))

@@ -32,12 +32,22 @@ class Swings(Model):
 
 
 class Wave(Model):
-    """All joints at once, sines between two frequencies whose speeds are alike; how large, planning decides."""
+    """All joints at once, sines between two frequencies whose speeds are alike; how large, planning decides.
+
+    Args:
+        wrist: None for what tells most of the payload through the joints' torques; planning then also chooses where in the band.
+    """
 
     seconds: Annotated[float, Field(ge=2.0, le=120.0)] = Field(default=10.0, description="How long, s.", examples=[10.0])
     lowest_hz: Annotated[float, Field(gt=0.0, le=50.0)] = Field(default=0.3, description="Lowest frequency, Hz.", examples=[0.3])
     highest_hz: Annotated[float, Field(gt=0.0, le=50.0)] = Field(default=6.0, description="Highest frequency, Hz.", examples=[6.0])
     seed: Annotated[int, Field(ge=0)] = Field(default=0, description="Of the sines' phases.", examples=[0])
+    wrist: Annotated[float, Field(ge=1.0, le=100.0)] | None = Field(
+        default=1.0,
+        description="How many times faster the last joint turns than the first, those between evenly; null for what tells most of the "
+        "payload through the joints' torques.",
+        examples=[1.0],
+    )
 
 
 class Stop(Model):
@@ -69,7 +79,7 @@ class Stop(Model):
 
 
 def wave_shape(wave: Wave, joints: int, period: float) -> Array:
-    """(N, joints), joint positions of a wave, rad for a largest joint speed of 1 rad/s, at rest at zero at both ends.
+    """(N, joints), joint positions of a wave, rad for a speed of 1 rad/s of the last joint at most, at rest at zero at both ends.
 
     Each joint has frequencies of its own, evenly spaced in their logarithm, so that no two joints move together.
     """
@@ -81,4 +91,5 @@ def wave_shape(wave: Wave, joints: int, period: float) -> Array:
     rise = edge**3 * (10.0 - 15.0 * edge + 6.0 * edge**2)
     angle = 2.0 * np.pi * lines * t[:, None, None] + phases
     q = rise[:, None] * (np.sin(angle) / (2.0 * np.pi * lines)).sum(axis=1)
-    return np.asarray(q / np.abs(np.gradient(q, period, axis=0)).max(axis=0))
+    speeds = np.geomspace(1.0 / (wave.wrist or 1.0), 1.0, joints)
+    return np.asarray(speeds * q / np.abs(np.gradient(q, period, axis=0)).max(axis=0))

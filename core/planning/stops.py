@@ -17,11 +17,15 @@ from core.planning.joint_torques import Load
 from core.planning.plan import Plan
 from core.planning.search import plan_stops
 from core.planning.settings import WHOLE, Planner, Scope, Timing
-from core.planning.stop import AXES, Axis, Direction, Stop, Swings
+from core.planning.stop import AXES, Axis, Direction, Stop, Swings, Wave
 from core.requirement.target import Target
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.words.message import Message
+
+WAVE_S = 15.0
+LOWEST_HZ, HIGHEST_HZ = 0.1, 3.0
+"""Of a wave for the joints' torques: below, friction is never the same twice; above, motors and gears are no longer rigid."""
 
 
 @dataclass(frozen=True)
@@ -80,6 +84,12 @@ class Stops:
                 rotation = Swings(about=axis, excursion_rad=timing.swing_rad, repetitions=None) if scope.rotations else None
                 stops += [Stop(down=_along(axis, -1.0)), Stop(down=_along(axis, 1.0), swings=rotation)]
         return cls(tuple(stops), timing, mass_guess_kg, target)
+
+    @classmethod
+    def of_joint_torques(cls, axes: str = "xyz") -> Self:
+        """A wave of all joints at each of the sensor's axes along gravity, as tells most of the payload through the joints' torques."""
+        wave = Wave(seconds=WAVE_S, lowest_hz=LOWEST_HZ, highest_hz=HIGHEST_HZ, wrist=None)
+        return cls(tuple(Stop(down=_along(axis, 1.0), wave=wave) for axis in AXES if axis in axes))
 
     def __len__(self) -> int:
         return len(self.stops)

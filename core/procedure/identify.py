@@ -18,7 +18,7 @@ from core.cell.cell import Box, Cell, Payload
 from core.errors import Interrupted, Refused, Stopped
 from core.estimation.identification import identify_recording
 from core.events import Event, Finished, RecordingWritten
-from core.planning.joint_torques import find_known_load
+from core.planning.joint_torques import Load, find_known_load
 from core.planning.plan import Plan
 from core.planning.settings import Planner
 from core.planning.stops import PROCEDURE, Stops
@@ -45,6 +45,7 @@ def identify(
     before: Recording | None = None,
     payload: str | None = None,
     reference: Payload | None = None,
+    load: Load | None = None,
     start: Array | None = None,
     planner: Planner = "rrt_connect",
     seed: int = 0,
@@ -63,7 +64,8 @@ def identify(
         stops: what the robot goes through; the whole procedure where absent.
         before: a recording that is continued; only read. The outcome's recording holds its samples and, after a gap in time, the new ones.
         payload, reference: name and reference values, written into the recording; the name is that of a recording that is continued where
-            absent. The joints' torques are judged with the payload of that name where the cell knows it.
+            absent.
+        load: what the joints' torques are judged with; the payload of that name where absent and the cell knows it.
         start: (n,), where the robot stands, rad; at home where absent.
         planner: of the paths.
         seed: of planning.
@@ -86,7 +88,9 @@ def identify(
     log = SampleLog(cell, robot, payload=payload, reference=reference, before=before, complete=session.complete)
     recorder = Recorder(log, build_estimator(log, session.period))
     stops = stops or PROCEDURE
-    planning = Planning(stops if target is None else replace(stops, target=target), planner, seed, effort, find_known_load(cell, payload))
+    planning = Planning(
+        stops if target is None else replace(stops, target=target), planner, seed, effort, load or find_known_load(cell, payload)
+    )
     check = None if target is None else TargetCheck(target, CellRequirement(cell, robot))
     watch = None if check is None else WatchHere(check, twin, clock_waits=clock_waits)
     run = Run(cell, robot, session, payload_box, planning, recorder, watch=watch)

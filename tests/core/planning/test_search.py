@@ -15,6 +15,7 @@ from core.planning.plan import Plan
 from core.planning.search import plan_stops
 from core.planning.settings import Timing
 from core.planning.stop import Stop, Swings, Wave
+from core.planning.torque_wave import list_waves
 from core.planning.wave import fit_wave
 from core.recording.recording import Recording
 from core.robot.collision import CollisionModel
@@ -82,6 +83,19 @@ def test_a_wave_keeps_the_acceleration_limits_and_comes_back_to_where_it_began(p
     assert (acceleration <= np.array(cell.robot.acceleration_rad_s2)).all()
     assert acceleration.max() > 1.0  # and it is not a motion in name only
     np.testing.assert_allclose(wave.q[[0, -1]], [plan.legs[1].start.q] * 2, atol=1e-9)
+
+
+def test_an_open_wave_is_chosen_while_planning_and_the_whole_is_confirmed(planned):
+    """Whoever carries the plan out reads in its stops which one it is."""
+    cell, robot, collision, _, _ = planned
+    stops = (Stop(down=(0.6, 0.0, 0.8), wave=Wave(lowest_hz=0.2, highest_hz=3.0, seconds=5.0, wrist=None)),)
+    plan = drive(plan_stops(cell, robot, collision, collision.payload_box, stops, start=np.array(cell.robot.home_rad)))
+    (leg,) = plan.legs
+    assert leg.stop.wave in list_waves(stops[0].wave)
+    assert leg.wave.duration == pytest.approx(5.0)
+    assert [path.name for path in plan.commanded] == ["transfer free", "wave free", "home"]
+    assert plan.opinion.samples >= len(leg.wave.q)
+    assert plan.torques.largest.ratio <= 1.0
 
 
 def test_a_wave_without_room_is_refused_in_words(planned):
