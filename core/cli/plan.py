@@ -8,7 +8,7 @@ import typer
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer import write_json
 from core.cli.options import CellArgument, JsonOption, PayloadOption, PlannerName, PlannerOption, SeedOption, check_new, choose_payload
-from core.cli.plan_tables import not_excited_lines, opinion_lines, plan_table, torque_lines
+from core.cli.plan_tables import not_excited_lines, opinion_lines, plan_table, torque_lines, wave_lines
 from core.cli.terminal import answers, find_wording, messages
 from core.planning.joint_torques import find_known_load
 from core.planning.options import (
@@ -78,6 +78,7 @@ def plan(
         answers.print(plan_table(found))
         answers.print(find_wording().say("result-plan-times", robot_s=found.robot_s, plan_s=found.plan_s), highlight=False)
         for line in (
+            *wave_lines(found),
             *(not_excited_lines(scope) if purpose == Purpose.wrist_sensor else ()),
             *torque_lines(found.torques),
             *opinion_lines(found.opinion),

@@ -50,12 +50,28 @@ def plan_table(plan: Plan) -> Table:
             format_decimals(leg.start.manipulability, 3),
             format_decimals(leg.transfer.trajectory.duration, 1),
             format_decimals(leg.transfer.least_margin_m, 3),
-            "" if leg.profile is None else format_decimals(leg.profile.duration, 1),
+            format_decimals(leg.moving_s, 1) if leg.moving_s else "",
         )
     home = plan.home
     times = format_decimals(home.trajectory.duration, 1), format_decimals(home.least_margin_m, 3)
     table.add_row(words.say("result-home"), "", "", "", "", *times, "")
     return table
+
+
+def wave_lines(plan: Plan) -> list[str]:
+    """What all joints do at a stop, a line for each wave."""
+    waves = [(leg.axis, leg.stop.wave, leg.wave) for leg in plan.legs if leg.stop.wave is not None and leg.wave is not None]
+    return [
+        find_wording().say(
+            "result-plan-wave",
+            axis=axis,
+            lowest_hz=wave.lowest_hz,
+            highest_hz=wave.highest_hz,
+            wrist=wave.wrist or 1.0,
+            swing_rad=float(np.abs(trajectory.q - trajectory.q[0]).max()),
+        )
+        for axis, wave, trajectory in waves
+    ]
 
 
 def not_excited_lines(scope: Scope) -> list[str]:
