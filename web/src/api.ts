@@ -10734,6 +10734,9 @@ export interface components {
         /**
          * Wave
          * @description All joints at once, sines between two frequencies whose speeds are alike; how large, planning decides.
+         *
+         *     Args:
+         *         wrist: None for what tells most of the payload through the joints' torques; planning then also chooses where in the band.
          */
         Wave: {
             /**
@@ -10764,6 +10767,13 @@ export interface components {
              * @example 0
              */
             seed?: number;
+            /**
+             * Wrist
+             * @description How many times faster the last joint turns than the first, those between evenly; null for what tells most of the payload through the joints' torques.
+             * @default 1
+             * @example 1
+             */
+            wrist?: number | null;
         };
         /**
          * WebhookCreate
