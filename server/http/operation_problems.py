@@ -137,6 +137,11 @@ REFUSALS: dict[str, tuple[str, ...]] = {
     ),
     "GET /api/imports/{log_import}/mapping": UNREAD,
     "GET /api/imports/{log_import}/recording": UNREAD,
+    "POST /api/imports/{log_import}/identification": (
+        *UNREAD, *CELL, "imports-busy", "jobs-upload-of-other-cell", "jobs-upload-of-other-robot", "jobs-work-lost",
+    ),
+    "GET /api/imports/{log_import}/result": (*IMPORT, "imports-not-identified"),
+    "GET /api/imports/{log_import}/report": (*IMPORT, "imports-not-identified"),
     "POST /api/imports/{log_import}/diagnosis": (
         *UNREAD, *CELL, "imports-busy", "jobs-upload-of-other-cell", "jobs-upload-of-other-robot",
     ),
@@ -184,6 +189,7 @@ ENGINE_REFUSALS: dict[str, tuple[str, ...]] = {
     "POST /api/diagnoses/uploads": (*UNUSABLE, "bad-recording"),
     "PUT /api/imports/{log_import}/files/{file}": ("bad-input",),
     "PUT /api/imports/{log_import}/reading": (*UNUSABLE, "bad-recording", "bad-input"),
+    "POST /api/imports/{log_import}/identification": (*UNUSABLE, "bad-twin", "bad-recording"),
     "POST /api/imports/{log_import}/diagnosis": (*UNUSABLE, "bad-recording"),
     "POST /api/diagnoses/{diagnosis}/motion": (*UNUSABLE, "bad-recording"),
 }

@@ -97,6 +97,7 @@ SITUATIONS: dict[str, tuple[str, ...]] = {
         "imports-not-read",
         "imports-question-open",
         "imports-contradicted",
+        "imports-not-identified",
         "drafts-too-many",
         "drafts-busy",
         "drafts-not-read",

@@ -12,11 +12,13 @@ from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Annotated
 
+from core.estimation.result import Result
+from core.words.catalogue import LANGUAGES
 from server.http.dependencies import depend_on
 from server.http.draft_folders import DraftFolder, DraftFolders
 from server.http.errors import Conflict, NotFound
 from server.imports.sent_file import SentFile
-from server.runner.log_folder import LOGS, RECORDING, WORK
+from server.runner.log_folder import LOGS, RECORDING, WORK, locate_report
 from server.runner.log_schemas import LogReading
 from server.settings import Settings
 
@@ -42,6 +44,8 @@ class LogImport(DraftFolder):
     """Share of the reading that is done; None while nothing is read."""
     reading: LogReading | None = None
     """How far it is understood; None before it was read, or when a file has come or gone since."""
+    identified: Result | None = None
+    """What its payload is; None before somebody asked, or when it was read anew since."""
 
     @property
     def logs(self) -> Path:
@@ -69,9 +73,11 @@ class LogImport(DraftFolder):
 
     def forget_reading(self) -> None:
         """What was read no longer holds."""
-        self.reading = None
+        self.reading = self.identified = None
         for name in (RECORDING, WORK):
             shutil.rmtree(self.folder / name, ignore_errors=True)
+        for language in LANGUAGES:
+            locate_report(self.folder, language).unlink(missing_ok=True)
 
 
 class Imports(DraftFolders[LogImport]):

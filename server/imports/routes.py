@@ -16,9 +16,10 @@ from server.cells.folder import CellsDep
 from server.http import downloads
 from server.http.dependencies import NowDep, SettingsDep, StoreDep
 from server.http.errors import Conflict, NotFound
-from server.http.parameters import ImportPath, LogFilePath
+from server.http.parameters import ImportPath, LanguageQuery, LogFilePath
 from server.http.schemas import Answer, Name, RequestBody
 from server.http.zip_body import FILE_OR_ZIP, check_is_upload
+from server.imports.identification import identify_import, require_identified
 from server.imports.imports import ImportsDep, LogImport
 from server.imports.log_reading import check_understood, read_import
 from server.imports.sent_file import FileKind, check_file_name, check_room, receive_file, remove_file
@@ -27,9 +28,10 @@ from server.jobs.jobs import DiagnosesDep
 from server.jobs.kinds import DiagnosisOrder
 from server.jobs.uploaded_recording import check_made_in
 from server.people.auth import CallerDep
-from server.runner.log_folder import MAPPING
+from server.runner.log_folder import MAPPING, locate_report
 from server.runner.log_schemas import LogReading
 from server.runs import ledger as run_ledger
+from server.runs.payload_answer import IdentificationPublic, payload_answer
 
 router = APIRouter(prefix="/api/imports", tags=["imports"])
 
@@ -56,6 +58,9 @@ class ImportPublic(Answer):
     )
     progress: float | None = Field(description="Share of the reading that is done, 0 to 1; null while nothing is read.", examples=[0.3])
     reading: LogReading | None = Field(description="How far it is understood; null before it was read.")
+    identified: IdentificationPublic | None = Field(
+        description="The payload with its uncertainties; null before it was identified, or when the log was read anew since."
+    )
     expires_at: datetime = Field(description="When it is gone unless somebody asks for it.", examples=["2026-03-01T10:00:00Z"])
 
 
@@ -170,6 +175,33 @@ def download_imported_recording(found: ImportDep, now: NowDep) -> Response:
     return downloads.send_zip(found.recording, name, Message.of("imports-not-read", log_import=found.id))
 
 
+@router.post("/{log_import}/identification")
+def identify_imported_log(found: ImportDep, imports: ImportsDep, cells: CellsDep, now: NowDep) -> ImportPublic:
+    """Identifies the payload from the recording that was made of it, as `heft identify` does; it stays until it is diagnosed or deleted."""
+    with found.working():
+        check_understood(found)
+        cell = None if found.cell is None else cells.load(found.cell)
+        if cell is not None:
+            check_made_in(found.recording, cell)
+        identify_import(found, cell)
+    return _answer(found, imports, now)
+
+
+@router.get("/{log_import}/result", response_class=Response, responses=downloads.TEXT)
+def download_import_result(found: ImportDep, now: NowDep) -> Response:
+    """What `heft identify --json` writes of it: `heft export` and `heft compare` take it."""
+    name = downloads.name_file("result", next(iter(found.files), None), when=now)
+    return downloads.text(require_identified(found).model_dump_json(indent=2) + "\n", f"{name}.json")
+
+
+@router.get("/{log_import}/report", response_class=Response, responses=downloads.PAGE)
+def download_import_report(found: ImportDep, now: NowDep, language: LanguageQuery = "en") -> Response:
+    """The payload that was identified from it as a page."""
+    require_identified(found)
+    name = downloads.name_file("report", next(iter(found.files), None), when=now)
+    return downloads.page([locate_report(found.folder, language)], name, Message.of("imports-not-identified", log_import=found.id))
+
+
 @router.post("/{log_import}/diagnosis", status_code=HTTP_202_ACCEPTED)
 def diagnose_import(
     found: ImportDep,
@@ -209,5 +241,6 @@ def _answer(found: LogImport, imports: ImportsDep, now: datetime) -> ImportPubli
         answers=found.answers,
         progress=found.progress,
         reading=found.reading,
+        identified=None if found.identified is None else payload_answer(found.identified),
         expires_at=now + imports.lasts,
     )

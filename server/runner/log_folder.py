@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import NamedTuple
+
+from core.words.catalogue import Language
 
 LOGS, RECORDING, MAPPING, WORK = "logs", "recording", "map.toml", "work"
 """What was sent, the recording made of it, the mapping that it was made with (in the recording), what is needed meanwhile."""
@@ -12,6 +15,11 @@ MOST_FILE_BYTES = 4_000_000_000
 """Of one file that is written meanwhile."""
 MOST_OPEN_FILES = 512
 """A long topic of a bag is one."""
+
+
+def locate_report(folder: Path, language: Language) -> Path:
+    """Where the identification of the recording in an import's folder leaves its page in a language."""
+    return folder / f"identified.{language}.html"
 
 
 class CellRobot(NamedTuple):

@@ -45,7 +45,11 @@ def run_work(module: str, *arguments: Any) -> Iterator[FromWork]:
     return Work(module, *arguments).words()
 
 
-def give_way() -> None:
-    """At the beginning of such a process: its end is the server's to decide, and it is in nobody's way."""
+def give_way(priority: Priority = Priority.BACKGROUND) -> None:
+    """At the beginning of such a process: its end is the server's to decide, and it is in nobody's way.
+
+    Args:
+        priority: a higher one where somebody waits for it on a page, as for a plan.
+    """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    take(Priority.BACKGROUND)
+    take(priority)

@@ -26,10 +26,9 @@ from core.words.message import Message
 from server.http.schemas import Answer
 
 
-class ResultPublic(Answer):
+class IdentificationPublic(Answer):
     """The payload in the sensor frame; null is what is not determined, `reasons` says why."""
 
-    run: str = Field(description="Identifier of the run.", examples=["019ab1c2d3e44f1c2a9be7"])
     cell: str | None = Field(description="Name of the cell.", examples=["lwr4_bench"])
     payload: str | None = Field(description="Name of the payload.", examples=["steel_block"])
     order: OrderReference | None = Field(
@@ -92,12 +91,22 @@ class ResultPublic(Answer):
     )
 
 
-def payload_answer(run: str, result: Result) -> ResultPublic:
+class ResultPublic(IdentificationPublic):
+    """What a run found: the payload in the sensor frame; null is what is not determined, `reasons` says why."""
+
+    run: str = Field(description="Identifier of the run.", examples=["019ab1c2d3e44f1c2a9be7"])
+
+
+def run_answer(run: str, result: Result) -> ResultPublic:
+    """The engine's answer on a run."""
+    return ResultPublic(run=run, **dict(payload_answer(result)))
+
+
+def payload_answer(result: Result) -> IdentificationPublic:
     """The engine's answer with its units in the names."""
     found = result.estimate
     phi, std = ([None] * 10, [None] * 10) if found is None else (found.phi, found.std)
-    return ResultPublic(
-        run=run,
+    return IdentificationPublic(
         cell=result.cell,
         payload=result.payload,
         order=result.order,

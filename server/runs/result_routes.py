@@ -23,7 +23,7 @@ from server.runs import ledger as run_ledger
 from server.runs.answer import answer_run
 from server.runs.conductor import ConductorDep
 from server.runs.lease import ControlDep
-from server.runs.payload_answer import ResultPublic, payload_answer
+from server.runs.payload_answer import ResultPublic, run_answer
 from server.runs.schemas import RunPublic
 from server.runs.tables import RunRow
 
@@ -44,7 +44,7 @@ class ComparisonPublic(Answer):
 @router.get("/result")
 def read_result(run: RunPath, conductor: ConductorDep) -> ResultPublic:
     """What the robot carries, with uncertainties."""
-    return payload_answer(run, run_ledger.load_result(conductor.row_of(run)))
+    return run_answer(run, run_ledger.load_result(conductor.row_of(run)))
 
 
 @router.post("/acceptance")

@@ -64,6 +64,28 @@ def test_from_two_files_with_two_clocks_to_a_diagnosis(at: Tablet, service: Real
     wait_for(lambda: list((service.data / "imports").iterdir()) == [], "the import to be gone")
 
 
+def test_the_payload_is_identified_on_the_page_and_its_report_opened(at: Tablet, tmp_path: Path) -> None:
+    page = at.page
+    choose(page, write_csv(tmp_path))
+    expect(page.get_by_text("Nothing speaks against it.")).to_be_visible(timeout=5 * PATIENCE_MS)
+    at.press("Identify")
+    payload = page.get_by_role("region", name="Result")
+    expect(payload.get_by_role("status")).to_contain_text("The payload has", timeout=5 * PATIENCE_MS)
+    mass = payload.get_by_role("row", name=re.compile("^Mass")).locator("td").inner_text()
+    found = re.match(r"([\d.]+)\s*± ([\d.]+)", mass)
+    assert found is not None, mass
+    assert abs(float(found[1]) - MASS_KG) < float(found[2])
+    expect(payload.locator(".budget-repeats").first).to_contain_text("repeats within")
+    report = payload.get_by_role("link", name="Report").get_attribute("href")
+    assert report is not None
+    assert "Where the uncertainty comes from" in page.request.get(f"http://{at.service.address}{report}").text()
+    check_looks(look(page, "a payload identified from a log"))
+    at.tap(page.locator(".changes summary"))
+    page.get_by_label("Unit of the torque").select_option("N mm")
+    expect(payload).to_have_count(0, timeout=PATIENCE_MS)
+    expect(page.get_by_role("button", name="Identify", exact=True)).to_be_disabled(timeout=PATIENCE_MS)
+
+
 def test_what_cannot_be_told_is_asked_with_the_likely_answer_chosen(at: Tablet, tmp_path: Path) -> None:
     page = at.page
     choose(page, write_undecided(tmp_path))

@@ -1455,6 +1455,66 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/imports/{log_import}/identification": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Identify Imported Log
+         * @description Identifies the payload from the recording that was made of it, as `heft identify` does; it stays until it is diagnosed or deleted.
+         */
+        post: operations["identify_imported_log"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/imports/{log_import}/result": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Import Result
+         * @description What `heft identify --json` writes of it: `heft export` and `heft compare` take it.
+         */
+        get: operations["download_import_result"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/imports/{log_import}/report": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Import Report
+         * @description The payload that was identified from it as a page.
+         */
+        get: operations["download_import_report"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/imports/{log_import}/diagnosis": {
         parameters: {
             query?: never;
@@ -5010,6 +5070,197 @@ export interface components {
             safety_rated?: false;
         };
         /**
+         * IdentificationPublic
+         * @description The payload in the sensor frame; null is what is not determined, `reasons` says why.
+         */
+        IdentificationPublic: {
+            /**
+             * Cell
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
+            cell: string | null;
+            /**
+             * Payload
+             * @description Name of the payload.
+             * @example steel_block
+             */
+            payload: string | null;
+            /** @description The order that it was found out for, as the plant names it; null where nobody named one. */
+            order: components["schemas"]["OrderReference"] | null;
+            /**
+             * Version
+             * @description Release and digest of the code that made it; null in results from before it was kept.
+             * @example 0.1.0+3f9c2ab17d
+             */
+            version: string | null;
+            /** @description The result in a sentence. */
+            verdict: components["schemas"]["Message"];
+            /** @description Whether it is good enough for the cell's controller, with margin and what decides; null in older results. */
+            requirement?: components["schemas"]["RequirementPart"] | null;
+            /** @description How far it meets the target of its order, and what the run left out; null where there was none, and in older results. */
+            target?: components["schemas"]["TargetPart"] | null;
+            /**
+             * Warnings
+             * @description What has to be known before the numbers are used.
+             */
+            warnings: components["schemas"]["Message"][];
+            /**
+             * Mass Kg
+             * @description Mass, kg; null where it is not determined.
+             * @example 2.783
+             */
+            mass_kg: number | null;
+            /**
+             * Mass Std Kg
+             * @description Its combined standard uncertainty, kg.
+             * @example 0.002
+             */
+            mass_std_kg: number | null;
+            /**
+             * Com M
+             * @description Centre of mass, m, sensor frame.
+             * @example [
+             *       0,
+             *       -0.0168,
+             *       0.0365
+             *     ]
+             */
+            com_m: (number | null)[];
+            /**
+             * Com Std M
+             * @description Its combined standard uncertainties, m.
+             * @example [
+             *       0.0001,
+             *       0.0001,
+             *       0.0001
+             *     ]
+             */
+            com_std_m: (number | null)[];
+            /**
+             * Inertia Com Kg M2
+             * @description Ixx Ixy Ixz Iyy Iyz Izz about the centre of mass, kg m2.
+             * @example [
+             *       0.0024,
+             *       0,
+             *       0,
+             *       0.0029,
+             *       0,
+             *       0.0025
+             *     ]
+             */
+            inertia_com_kg_m2: (number | null)[];
+            /**
+             * Inertia Com Std Kg M2
+             * @description Their combined standard uncertainties, kg m2.
+             * @example [
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001
+             *     ]
+             */
+            inertia_com_std_kg_m2: (number | null)[];
+            /**
+             * Inertia Sensor Kg M2
+             * @description Ixx Ixy Ixz Iyy Iyz Izz about the sensor's origin, kg m2.
+             * @example [
+             *       0.0069,
+             *       0,
+             *       0,
+             *       0.0066,
+             *       0.0017,
+             *       0.0033
+             *     ]
+             */
+            inertia_sensor_kg_m2: (number | null)[];
+            /**
+             * Inertia Sensor Std Kg M2
+             * @description Their combined standard uncertainties, kg m2.
+             * @example [
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001
+             *     ]
+             */
+            inertia_sensor_std_kg_m2: (number | null)[];
+            /**
+             * Parameters
+             * @description Mass (kg), first moment (kg m), inertia about the sensor's origin (kg m2); null is what is not determined.
+             * @example [
+             *       2.783,
+             *       0,
+             *       -0.0468,
+             *       0.1015,
+             *       0.0069,
+             *       0,
+             *       0,
+             *       0.0066,
+             *       0.0017,
+             *       0.0033
+             *     ]
+             */
+            parameters: (number | null)[];
+            /**
+             * Covariance
+             * @description Covariance of `parameters`, ten rows of ten, products of their units.
+             * @example [
+             *       [
+             *         0.000004,
+             *         0
+             *       ],
+             *       [
+             *         0,
+             *         9e-8
+             *       ]
+             *     ]
+             */
+            covariance: (number | null)[][];
+            /** @description Where the uncertainty comes from: the repeatability and what stays the same from run to run; null in results of earlier versions, whose uncertainties are the repeatability alone. */
+            budget?: components["schemas"]["BudgetPart"] | null;
+            /**
+             * Reasons
+             * @description By parameter, why it is not determined.
+             */
+            reasons: {
+                [key: string]: components["schemas"]["Message"];
+            };
+            /** @description The payload as somebody else knows it; null where nobody does. */
+            reference: components["schemas"]["ReferencePart"] | null;
+            /** @description The paper's own estimate, for comparison. */
+            paper: components["schemas"]["PaperPart"];
+            /** @description How well the estimate reconstructs the wrench. */
+            residual: components["schemas"]["ResidualPart"] | null;
+            /**
+             * Verification
+             * @description Each rotation left out once and predicted by a fit to all the rest.
+             */
+            verification: components["schemas"]["VerificationPart"][];
+            /** @description What the guard saw; null for a recording from elsewhere. */
+            safety: components["schemas"]["SafetyPart"] | null;
+            /** @description Times of planning, motion and estimation. */
+            seconds: components["schemas"]["SecondsPart"];
+            /**
+             * Safety Rated
+             * @description Always false: it is not a safety function.
+             * @default false
+             * @constant
+             */
+            safety_rated?: false;
+            /** @description Without the tools that the cell knows, which everything else contains; null where it knows none. */
+            workpiece?: components["schemas"]["WorkpiecePart"] | null;
+            /**
+             * Twin
+             * @description Entries of the cell's twin that the estimate takes into account, and what each of them changes.
+             */
+            twin?: components["schemas"]["TwinSharePart"][];
+        };
+        /**
          * ImportPublic
          * @description A log that is being imported; it is gone when it was diagnosed or deleted, or when nobody has asked for it for some time.
          */
@@ -5049,6 +5300,8 @@ export interface components {
             progress: number | null;
             /** @description How far it is understood; null before it was read. */
             reading: components["schemas"]["LogReading"] | null;
+            /** @description The payload with its uncertainties; null before it was identified, or when the log was read anew since. */
+            identified: components["schemas"]["IdentificationPublic"] | null;
             /**
              * Expires At
              * Format: date-time
@@ -7817,15 +8070,9 @@ export interface components {
         };
         /**
          * ResultPublic
-         * @description The payload in the sensor frame; null is what is not determined, `reasons` says why.
+         * @description What a run found: the payload in the sensor frame; null is what is not determined, `reasons` says why.
          */
         ResultPublic: {
-            /**
-             * Run
-             * @description Identifier of the run.
-             * @example 019ab1c2d3e44f1c2a9be7
-             */
-            run: string;
             /**
              * Cell
              * @description Name of the cell.
@@ -8011,6 +8258,12 @@ export interface components {
              * @description Entries of the cell's twin that the estimate takes into account, and what each of them changes.
              */
             twin?: components["schemas"]["TwinSharePart"][];
+            /**
+             * Run
+             * @description Identifier of the run.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
+            run: string;
         };
         /**
          * ResultSummary
@@ -13552,6 +13805,30 @@ export interface components {
              */
             type: "/problems/imports-contradicted";
         });
+        /** @description imports-not-identified = import "{ $log_import }": its payload was not identified yet, or it was read anew since; have it identified first */
+        ImportsNotIdentifiedProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-not-identified";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the import. */
+                log_import: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-not-identified";
+        });
         /** @description drafts-too-many = drafts: { $most_drafts } cells are being made already; finish or leave one of them */
         DraftsTooManyProblem: {
             /**
@@ -15742,7 +16019,7 @@ export interface components {
              */
             type: "EngineProblem";
         });
-        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["DraftsUnknownProblem"] | components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["ImportsFileUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["AlarmsAcknowledgedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlNotAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["ImportsTooManyProblem"] | components["schemas"]["ImportsTooManyFilesProblem"] | components["schemas"]["ImportsBusyProblem"] | components["schemas"]["ImportsNoLogYetProblem"] | components["schemas"]["ImportsSeveralProblem"] | components["schemas"]["ImportsNotReadProblem"] | components["schemas"]["ImportsQuestionOpenProblem"] | components["schemas"]["ImportsContradictedProblem"] | components["schemas"]["DraftsTooManyProblem"] | components["schemas"]["DraftsBusyProblem"] | components["schemas"]["DraftsNotReadProblem"] | components["schemas"]["DraftsNotMadeProblem"] | components["schemas"]["DraftsNoPictureProblem"] | components["schemas"]["LibraryNameTakenProblem"] | components["schemas"]["LibraryFullProblem"] | components["schemas"]["LibraryRunOfOtherCellProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["ZoneExistsProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["LibraryWithoutBoxProblem"] | components["schemas"]["DraftsFileUnknownProblem"] | components["schemas"]["DraftsWorkEndedProblem"] | components["schemas"]["ImportsReadingEndedProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["ImportsDiskTooFullProblem"] | components["schemas"]["ImportsNotWritableProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["ImportsNameUnusualProblem"] | components["schemas"]["ImportsKindUnknownProblem"] | components["schemas"]["ImportsFileEmptyProblem"] | components["schemas"]["ImportsUnpacksTooLargeProblem"] | components["schemas"]["ImportsOwnRecordingProblem"] | components["schemas"]["ImportsNoLogInsideProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["DraftsNoDescriptionProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
+        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["DraftsUnknownProblem"] | components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["ImportsFileUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["AlarmsAcknowledgedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlNotAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["ImportsTooManyProblem"] | components["schemas"]["ImportsTooManyFilesProblem"] | components["schemas"]["ImportsBusyProblem"] | components["schemas"]["ImportsNoLogYetProblem"] | components["schemas"]["ImportsSeveralProblem"] | components["schemas"]["ImportsNotReadProblem"] | components["schemas"]["ImportsQuestionOpenProblem"] | components["schemas"]["ImportsContradictedProblem"] | components["schemas"]["ImportsNotIdentifiedProblem"] | components["schemas"]["DraftsTooManyProblem"] | components["schemas"]["DraftsBusyProblem"] | components["schemas"]["DraftsNotReadProblem"] | components["schemas"]["DraftsNotMadeProblem"] | components["schemas"]["DraftsNoPictureProblem"] | components["schemas"]["LibraryNameTakenProblem"] | components["schemas"]["LibraryFullProblem"] | components["schemas"]["LibraryRunOfOtherCellProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["ZoneExistsProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["LibraryWithoutBoxProblem"] | components["schemas"]["DraftsFileUnknownProblem"] | components["schemas"]["DraftsWorkEndedProblem"] | components["schemas"]["ImportsReadingEndedProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["ImportsDiskTooFullProblem"] | components["schemas"]["ImportsNotWritableProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["ImportsNameUnusualProblem"] | components["schemas"]["ImportsKindUnknownProblem"] | components["schemas"]["ImportsFileEmptyProblem"] | components["schemas"]["ImportsUnpacksTooLargeProblem"] | components["schemas"]["ImportsOwnRecordingProblem"] | components["schemas"]["ImportsNoLogInsideProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["DraftsNoDescriptionProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
     };
     responses: never;
     parameters: never;
@@ -15832,6 +16109,7 @@ export type Flaw = components['schemas']['Flaw'];
 export type Friction = components['schemas']['Friction'];
 export type GapPart = components['schemas']['GapPart'];
 export type Health = components['schemas']['Health'];
+export type IdentificationPublic = components['schemas']['IdentificationPublic'];
 export type ImportPublic = components['schemas']['ImportPublic'];
 export type Instruction = components['schemas']['Instruction'];
 export type JobState = components['schemas']['JobState'];
@@ -16071,6 +16349,7 @@ export type ImportsSeveralProblem = components['schemas']['ImportsSeveralProblem
 export type ImportsNotReadProblem = components['schemas']['ImportsNotReadProblem'];
 export type ImportsQuestionOpenProblem = components['schemas']['ImportsQuestionOpenProblem'];
 export type ImportsContradictedProblem = components['schemas']['ImportsContradictedProblem'];
+export type ImportsNotIdentifiedProblem = components['schemas']['ImportsNotIdentifiedProblem'];
 export type DraftsTooManyProblem = components['schemas']['DraftsTooManyProblem'];
 export type DraftsBusyProblem = components['schemas']['DraftsBusyProblem'];
 export type DraftsNotReadProblem = components['schemas']['DraftsNotReadProblem'];
@@ -23650,6 +23929,267 @@ export interface operations {
                 };
                 content: {
                     "application/problem+json": components["schemas"]["ImportsNotReadProblem"] | components["schemas"]["ImportsQuestionOpenProblem"] | components["schemas"]["ImportsContradictedProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    identify_imported_log: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the import of a log. */
+                log_import: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ImportPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsNotReadProblem"] | components["schemas"]["ImportsQuestionOpenProblem"] | components["schemas"]["ImportsContradictedProblem"] | components["schemas"]["ImportsBusyProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    download_import_result: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the import of a log. */
+                log_import: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": string;
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsNotIdentifiedProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    download_import_report: {
+        parameters: {
+            query?: {
+                /** @description Language of the answer, by its code; in English where Heft has no words in it. */
+                language?: string;
+            };
+            header?: never;
+            path: {
+                /** @description Identifier of the import of a log. */
+                log_import: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/html": string;
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ImportsNotIdentifiedProblem"];
                 };
             };
             /** @description Unprocessable Entity */

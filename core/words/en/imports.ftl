@@ -10,6 +10,7 @@ imports-reading-ended = import "{ $log_import }": the process that reads it ende
 imports-not-read = import "{ $log_import }": it was not read yet, or a file has come or gone since; read it first
 imports-question-open = import "{ $log_import }": { $key } is not answered yet; answer it first
 imports-contradicted = import "{ $log_import }": the log contradicts itself ({ $contradiction }); change what was understood first
+imports-not-identified = import "{ $log_import }": its payload was not identified yet, or it was read anew since; have it identified first
 imports-disk-too-full = disk: { FIXED($free_mb, digits: 0) } MB are free, { FIXED($needed_mb, digits: 0) } MB are needed for what may come; make room first
 imports-not-writable = disk: the file cannot be written ({ $reason }); make room, or let the service write there
 imports-name-unusual =

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import io
+import json
 import time
 import zipfile
 from collections.abc import Callable, Iterable
@@ -13,7 +14,10 @@ from typing import Any
 
 import pytest
 from fastapi.testclient import TestClient
+from typer.testing import CliRunner
 
+from core.cli.main import app
+from core.estimation.result import Result
 from core.recording.folder import read_recording
 from core.recording.logs.tables import KINDS
 from server.app import create_app
@@ -319,6 +323,38 @@ def test_a_service_that_starts_anew_knows_none_of_them(tmp_path: Path) -> None:
     (settings.imports_folder / "0123" / "log.csv").write_text("x")
     with TestClient(create_app(settings)):
         assert left(settings) == []
+
+
+def test_the_payload_of_a_log_is_identified_as_the_command_line_does_and_the_import_stays(operator: TestClient, tmp_path: Path) -> None:
+    path = send(operator, write_csv(tmp_path))
+    assert operator.post(f"{path}/identification").json()["type"] == "/problems/imports-not-read"
+    read(operator, path)
+    assert operator.get(f"{path}/result").json()["type"] == "/problems/imports-not-identified"
+    answered = operator.post(f"{path}/identification")
+    assert answered.status_code == 200, answered.text
+    found = answered.json()["identified"]
+    by_command = CliRunner().invoke(app, ["identify", str(tmp_path / "log.csv"), "--json", "-"])
+    said = json.loads(by_command.stdout)
+    assert (found["parameters"], found["covariance"]) == (said["estimate"]["phi"], said["estimate"]["covariance"])
+    assert [each["code"] for each in found["warnings"]] == [each["code"] for each in said["warnings"]]
+    assert abs(found["mass_kg"] - MASS_KG) < 1.96 * found["mass_std_kg"]
+    assert 0.0 < found["budget"]["repeatability_std"][0] < found["mass_std_kg"]
+    assert Result.model_validate_json(operator.get(f"{path}/result").content).estimate is not None
+    for language, title in (("en", "Where the uncertainty comes from"), ("de", "Woher die Unsicherheit kommt")):
+        page = operator.get(f"{path}/report", params={"language": language})
+        assert title in page.text, language
+        assert "sandbox" in page.headers["content-security-policy"]
+    read(operator, path, **{"wrench.sign": "-1"})
+    assert operator.get(path).json()["identified"] is None
+    assert operator.get(f"{path}/report").status_code == 409
+    assert operator.post(f"{path}/diagnosis", json={}).status_code == 202
+
+
+def test_the_payload_of_a_log_is_held_against_what_its_cell_needs(operator: TestClient, tmp_path: Path) -> None:
+    path = send(operator, Path(exported(tmp_path)[0]))
+    assert operator.put(f"{path}/reading", json={"cell": "lwr4_bench"}).status_code == 200
+    found = operator.post(f"{path}/identification").json()["identified"]
+    assert found["requirement"]["adequacy"] is not None
 
 
 def test_who_may_not_diagnose_imports_nothing(signed_in: As) -> None:

@@ -13,10 +13,13 @@ import { Told } from '../ui/told';
 import { moment } from '../ui/units';
 import { Changes } from './changes';
 import { FileChoice } from './file-choice';
+import { Identified } from './identified';
 import { importWords } from './import-words';
 import {
   diagnose,
   forget,
+  identify,
+  identifying,
   log,
   MOST_LETTERS,
   name,
@@ -50,6 +53,7 @@ function Import() {
       <div class="stack found">
         <Refused />
         {found?.question && <Question key={found.question.key} question={found.question} />}
+        <Identified />
         <Checked />
         {found?.understood && (
           <>
@@ -148,13 +152,19 @@ function Downloads() {
 
 function Actions() {
   const said = importWords.value;
+  const identified = log.value?.identified != null;
   if (!mayImport()) return null;
   return (
     <>
       <Press act={() => go('gap')}>{said.back}</Press>
-      <Press kind="primary" disabled={!sound.value || working.value} act={finish}>
+      <Press kind={identified ? 'primary' : 'plain'} disabled={!sound.value || working.value} act={finish}>
         {said.diagnose}
       </Press>
+      {!identified && (
+        <Press kind="primary" disabled={!sound.value || working.value} act={identify}>
+          {said.identify}
+        </Press>
+      )}
     </>
   );
 }
@@ -169,11 +179,13 @@ function next(): string {
   if (!mayImport()) return said.closed;
   if (sending.value) return said.next.sending;
   if (reading.value !== null) return said.next.reading;
+  if (identifying.value) return said.identifying;
   if (refused.value) return said.next.refused;
   const found = log.value?.reading;
   if (!found) return said.next.files;
   if (found.question) return said.next.question;
-  return sound.value ? said.next.sound : said.next.contradicted;
+  if (!sound.value) return said.next.contradicted;
+  return log.value?.identified ? said.next.identified : said.next.sound;
 }
 
 const page: Screen = { Page: Import, Actions, next };

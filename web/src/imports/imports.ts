@@ -17,6 +17,8 @@ export const log = signal<ImportPublic | null>(null);
 export const sending = signal<{ file: string; share: number } | null>(null);
 /** What share of the reading is done; null while nothing is read. */
 export const reading = signal<number | null>(null);
+/** Whether its payload is being identified. */
+export const identifying = signal(false);
 /** Why the last attempt came to nothing. */
 export const refused = signal<{ flaws: Flaw[]; notice: Notice | null } | null>(null);
 /** Where it was made: the name of a cell, or nothing where that is none of ours. */
@@ -24,7 +26,7 @@ export const madeIn = signal('');
 /** What to call it. */
 export const name = signal('');
 
-export const working = computed(() => sending.value !== null || reading.value !== null);
+export const working = computed(() => sending.value !== null || reading.value !== null || identifying.value);
 export const understood = computed(() => log.value?.reading?.understood ?? null);
 /** Whether a recording was made of it. */
 export const sound = computed(() => understood.value !== null && log.value?.reading?.contradiction === null);
@@ -95,7 +97,7 @@ async function readLog(answers: Record<string, string>): Promise<void> {
       patience_ms: PATIENCE_MS,
     });
   } catch (error) {
-    log.value = { ...before, reading: null };
+    log.value = { ...before, reading: null, identified: null };
     throw error;
   } finally {
     window.clearInterval(timer);
@@ -107,6 +109,19 @@ async function readLog(answers: Record<string, string>): Promise<void> {
 async function follow(before: ImportPublic): Promise<void> {
   const found = await ask('GET /api/imports/{log_import}', { path: pathOf(before) }).catch(() => null);
   if (reading.value !== null && found?.progress != null) reading.value = found.progress;
+}
+
+/** Has the payload identified from the recording that was made of it; the import stays. */
+export async function identify(): Promise<void> {
+  const before = log.value;
+  if (before === null) return;
+  await attempted(async () => {
+    identifying.value = true;
+    log.value = await ask('POST /api/imports/{log_import}/identification', {
+      path: pathOf(before),
+      patience_ms: PATIENCE_MS,
+    });
+  });
 }
 
 /** Has the recording that was made of it diagnosed; it is the service's then. */
@@ -147,6 +162,7 @@ async function attempted(act: () => Promise<void>): Promise<void> {
     if (error instanceof Refusal && error.said.code === 'imports-unknown') log.value = null;
   } finally {
     sending.value = null;
+    identifying.value = false;
   }
 }
 

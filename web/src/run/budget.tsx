@@ -1,10 +1,10 @@
-import type { ResultPublic } from '../api';
+import type { IdentificationPublic } from '../api';
 import { MessageText } from '../ui/message-text';
 import { percent, type Quantity, shown } from '../ui/units';
 import { words } from '../words';
 import { say } from '../words/messages';
 
-type Budget = NonNullable<ResultPublic['budget']>;
+type Budget = NonNullable<IdentificationPublic['budget']>;
 
 interface Part {
   title: string;
@@ -16,7 +16,7 @@ interface Part {
 const NAMED = 0.01;
 
 /** Where the uncertainty comes from, and how well the run alone repeats; nothing in results of earlier versions. */
-export function Uncertainty({ answer }: { answer: ResultPublic }) {
+export function Uncertainty({ answer }: { answer: IdentificationPublic }) {
   const said = words.value.result;
   const { budget } = answer;
   if (budget == null) return null;

@@ -1,4 +1,4 @@
-import type { Message, ResultPublic } from '../api';
+import type { IdentificationPublic, Message } from '../api';
 import type { Quantity } from '../ui/units';
 import { say } from '../words/messages';
 
@@ -20,7 +20,7 @@ const PHI = ['m', 'mc_x', 'mc_y', 'mc_z', 'Ixx', 'Ixy', 'Ixz', 'Iyy', 'Iyz', 'Iz
 
 /** What an answer says of a body. */
 export type Body = Pick<
-  ResultPublic,
+  IdentificationPublic,
   | 'mass_kg'
   | 'mass_std_kg'
   | 'com_m'

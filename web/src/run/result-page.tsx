@@ -1,4 +1,4 @@
-import type { Message, ResultPublic } from '../api';
+import type { ResultPublic } from '../api';
 import { DiagnoseRun } from '../gap/diagnose-run';
 import { TwinShare } from '../gap/twin-share';
 import { RunBefore } from '../history/run-before';
@@ -8,7 +8,6 @@ import { library } from '../tools/library';
 import { SaveTool } from '../tools/save-tool';
 import { addressOf } from '../ui/client';
 import { Facts } from '../ui/facts';
-import { MessageText } from '../ui/message-text';
 import { nameOf } from '../ui/names';
 import { Press } from '../ui/press';
 import { go } from '../ui/route';
@@ -26,6 +25,7 @@ import { acceptResult, result as found, run } from './run';
 import { RunRecord } from './run-record';
 import { TargetMet } from './target-met';
 import { Verification } from './verification';
+import { Warnings } from './warnings';
 import { Workpiece } from './workpiece';
 
 function Result() {
@@ -118,24 +118,6 @@ function whichRun(): string {
     shown.run,
     ...accepted,
   ].join(' · ');
-}
-
-function Warnings({ all }: { all: Message[] }) {
-  if (all.length === 0) return null;
-  return (
-    <section class="warnings">
-      <h2>
-        <span aria-hidden="true">▲</span> {words.value.result.warnings}
-      </h2>
-      <ul>
-        {all.map((each) => (
-          <li key={each.text}>
-            <MessageText message={each} />
-          </li>
-        ))}
-      </ul>
-    </section>
-  );
 }
 
 function Checks() {

@@ -1,10 +1,10 @@
-import type { ResultPublic } from '../api';
+import type { IdentificationPublic } from '../api';
 import { spelt } from '../ui/units';
 import { words } from '../words';
 import { payloadRows } from './payload-rows';
 
 /** What a run found, in a sentence: the mass, and what of the rest is determined. */
-export function resultSentence(answer: ResultPublic): string {
+export function resultSentence(answer: IdentificationPublic): string {
   const said = words.value.result;
   const { mass_kg, mass_std_kg } = answer;
   if (mass_kg === null) return said.verdict.nothing;

@@ -1,11 +1,11 @@
-import type { ResultPublic } from '../api';
+import type { IdentificationPublic } from '../api';
 import { MessageText } from '../ui/message-text';
 import { spelt } from '../ui/units';
 import { words } from '../words';
 import { ParameterTable } from './parameter-table';
 
 /** The workpiece without the tools that the cell knows; nothing where it knows none. */
-export function Workpiece({ answer }: { answer: ResultPublic }) {
+export function Workpiece({ answer }: { answer: IdentificationPublic }) {
   const said = words.value.result;
   const alone = answer.workpiece;
   if (alone == null) return null;

@@ -86,6 +86,9 @@ export const imports: typeof en = {
   recording: 'Aufzeichnung (Zip)',
   downloadsHint:
     'map.toml erspart dem nächsten Log dieser Art die Fragen; heft identify nimmt die Aufzeichnung.',
+  identify: 'Identifizieren',
+  identifying: 'Die Nutzlast wird identifiziert',
+  result: 'Ergebnis (JSON)',
   diagnose: 'Diagnostizieren',
   discard: 'Verwerfen',
   discardAsk: 'Dieses Log verwerfen? Nichts davon wird aufgehoben.',
@@ -99,6 +102,8 @@ export const imports: typeof en = {
     refused: 'Lesen Sie, was falsch ist, dann ändern Sie die Dateien.',
     question: 'Beantworten Sie die Frage.',
     contradicted: 'Ändern Sie, was falsch verstanden wurde.',
-    sound: 'Prüfen Sie, was verstanden wurde, dann lassen Sie es diagnostizieren.',
+    sound: 'Prüfen Sie, was verstanden wurde, dann lassen Sie die Nutzlast identifizieren.',
+    identified:
+      'Speichern Sie, was Sie brauchen: Es geht mit dem Log. Eine Diagnose behält die Aufzeichnung.',
   },
 };

@@ -85,6 +85,9 @@ export const imports = {
   recording: 'Recording (zip)',
   downloadsHint:
     'map.toml spares the questions of the next log of this kind; heft identify takes the recording.',
+  identify: 'Identify',
+  identifying: 'The payload is being identified',
+  result: 'Result (JSON)',
   diagnose: 'Diagnose',
   discard: 'Discard',
   discardAsk: 'Discard this log? Nothing of it is kept.',
@@ -98,6 +101,7 @@ export const imports = {
     refused: 'Read what is wrong, then change the files.',
     question: 'Answer the question.',
     contradicted: 'Change what was understood wrongly.',
-    sound: 'Check what was understood, then have it diagnosed.',
+    sound: 'Check what was understood, then have the payload identified.',
+    identified: 'Save what you need: it is gone with the log. A diagnosis keeps the recording.',
   },
 };
