@@ -13,12 +13,13 @@ import numpy as np
 from core.array import Array
 from core.cell.cell import Box, Cell
 from core.errors import NoPath, NoStartConfiguration
+from core.planning.candidate_checks import Attitude
 from core.planning.certificate import is_clear
 from core.planning.pair_margins import PairMargins
 from core.planning.path import plan_path
 from core.planning.rotation_room import Obstruction, RotationCheck, Turn
 from core.planning.settings import Timing
-from core.planning.start_configuration import Attitude, find_start_configuration
+from core.planning.start_configuration import find_start_configuration
 from core.planning.stops import PROCEDURE
 from core.planning.throw import ThrowCheck, loads_of
 from core.robot.collision import CollisionModel

@@ -30,6 +30,7 @@ from core.cell.urdf import check_urdf
 from core.errors import BadInput, Refused
 from core.events import drive
 from core.planning.commanded_path import PlanPart, compute_joint_paths
+from core.planning.joint_torques import find_known_load
 from core.planning.plan import Plan
 from core.planning.search import plan_stops
 from core.planning.stops import PROCEDURE
@@ -98,8 +99,8 @@ def _planned(cell: Cell, seed: int) -> tuple[Plan, list[str], float]:
     check_robot(cell, check_urdf(cell.urdf, "robot.urdf"))
     model = RobotModel.of_cell(cell)
     collision = CollisionModel(cell, model, cell.payload_box)
-    home, mass = np.array(cell.robot.home_rad), cell.payloads["random"].mass_kg
-    plan = drive(plan_stops(cell, model, collision, cell.payload_box, PROCEDURE.stops, start=home, mass_guess_kg=mass, seed=seed))
+    home, load = np.array(cell.robot.home_rad), find_known_load(cell, "random")
+    plan = drive(plan_stops(cell, model, collision, cell.payload_box, PROCEDURE.stops, start=home, load=load, seed=seed))
     checker = IndependentChecker(cell, cell.payload_box, cell.payloads["random"])
     violations, least = [], np.inf
     here = home

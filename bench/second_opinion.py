@@ -9,8 +9,9 @@ import numpy as np
 
 from core.cell.folder import find_cell, load_cell
 from core.events import drive
+from core.planning.confirmation import confirm_plan
 from core.planning.joint_torques import JointTorques, guess_load
-from core.planning.search import confirm_plan, plan_stops
+from core.planning.search import plan_stops
 from core.planning.stops import PROCEDURE
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel

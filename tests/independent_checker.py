@@ -185,6 +185,13 @@ class IndependentChecker:
         close = _too_close(self._packed, self._groups, self._table, least, frames)
         return all(self._distance(self.pairs[k].first, self.pairs[k].second, least[k], frames) >= least[k] for k in close)
 
+    def touches_base(self, name: str) -> bool:
+        """Whether the robot's base is in, or touches, an obstacle or a zone of that name."""
+        still = self.arm.frames(np.array(self._cell.robot.home_rad)[None])[0]
+        bases = [i for i, body in enumerate(self._bodies) if body.group == 0 and body.name not in self._kinds]
+        k = next(i for i, body in enumerate(self._bodies) if body.name == name)
+        return any(self._distance(i, k, 0.0, still) <= 0.0 for i in bases)
+
     def flights(self, q: Array, period: float) -> tuple[float, str]:
         """How near a load that comes off anywhere along q (N, n) flies to a protected zone, m, and to which; see `tests.free_flight`."""
         poses = self.arm.sensor_poses(q)

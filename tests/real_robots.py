@@ -53,6 +53,7 @@ class Description:
         acceleration_rad_s2: of all joints; the descriptions say nothing of it.
         stands_m: height of the base link above the table; None where the robot brings its own stand and no table is put under it.
         bodies: shapes of moving links that the description leaves out altogether, as elements of a URDF.
+        adjacent: pairs of links that are as near as they are by construction.
     """
 
     urdf: str
@@ -61,6 +62,7 @@ class Description:
     acceleration_rad_s2: float = 10.0
     stands_m: float | None = 0.0
     bodies: tuple[tuple[str, str], ...] = ()
+    adjacent: tuple[tuple[str, str], ...] = ()
 
 
 _UR = "ur_description/urdf/{}_robot.urdf"
@@ -81,6 +83,7 @@ ROBOTS = {
         "arm_tool_link",
         stands_m=None,
         bodies=(("arm_7_link", '<cylinder radius="0.025" length="0.03"/>'),),
+        adjacent=(("arm_1_link", "torso_fixed_column_link"),),
     ),
     "talos": Description("talos_data/robots/talos_left_arm.urdf", "arm_left_1_link", "wrist_left_ft_link", stands_m=0.25),
 }
@@ -157,6 +160,7 @@ def place(name: str, folder: Path, arm: Arm, base: Pose, payload_box: Box, mount
             home_rad=tuple(0.5 * (arm.lower + arm.upper)),
             acceleration_rad_s2=(description.acceleration_rad_s2,) * arm.n,
             base=base,
+            adjacent=description.adjacent,
         ),
         sensor=SENSORS,
         floor_z_m=floor,
@@ -285,7 +289,10 @@ def _with_a_box(cell: Cell, rng: np.random.Generator, k: int) -> Cell:
         at = np.array(cell.robot.base.xyz_m) + np.array([away * np.cos(bearing), away * np.sin(bearing), rng.uniform(-0.5, 0.9)])
         shape = Box(size_m=_three(rng.uniform(0.08, 0.5, 3)), pose=Pose(xyz_m=_three(at), rpy_rad=(0.0, 0.0, float(bearing))))
         larger = cell.model_copy(update={"obstacles": (*cell.obstacles, Obstacle(name=f"box_{k}", shape=shape))})
-        if not contradictions_of(larger) and IndependentChecker(larger, larger.payload_box).is_free(home, HARDLY_ROOM_M):
+        if contradictions_of(larger):
+            continue
+        checker = IndependentChecker(larger, larger.payload_box)
+        if checker.is_free(home, HARDLY_ROOM_M) and not checker.touches_base(f"box_{k}"):
             return larger
     return cell
 

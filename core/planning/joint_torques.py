@@ -20,12 +20,16 @@ from core.payload.inertia import InertialParameters
 from core.planning.summary import LargestTorque, PlanTorques
 from core.robot.dynamics import LinkDynamics
 from core.robot.model import RobotModel
+from core.robot.trajectory import JointTrajectory
 from core.second_opinion.opinion import JointPath
 from core.second_opinion.part_name import name_part
 from core.words.message import Message
 
 HOLDING_SHARE = 0.9
 """Of a joint's torque: what holding still may take where a pose is chosen. The rest is for moving."""
+
+MOVING_SHARE = 0.98
+"""Of a joint's torque: what a transfer may take before it is made slower."""
 
 MOVING_RAD_S = 1e-4
 """A joint that is slower stands, and has no friction to overcome."""
@@ -99,10 +103,23 @@ class JointTorques:
         """The joint that has the largest share of its torque to give to hold still at q (n,), and that share; None where all can."""
         if len(self._judged) == 0:
             return None
-        still = np.zeros((1, len(q)))
-        share = np.abs(self._dynamics.torque(q[None], still, still)[0, self._judged]) / self._limits[self._judged]
-        most = int(np.argmax(share))
-        return (self._joints[self._judged[most]], float(share[most])) if share[most] > HOLDING_SHARE else None
+        shares = self._holding_shares(q[None])[0]
+        most = int(np.argmax(shares))
+        return (self._joints[self._judged[most]], float(shares[most])) if shares[most] > HOLDING_SHARE else None
+
+    def holding_share(self, q: Array) -> float:
+        """The largest share of its torque that any joint has to give to hold still at any row of q (N, n); 0 where none is judged."""
+        return float(self._holding_shares(q).max(initial=0.0))
+
+    def _holding_shares(self, q: Array) -> Array:
+        """(N, judged joints)."""
+        still = np.zeros_like(q)
+        return np.asarray(np.abs(self._dynamics.torque(q, still, still)[:, self._judged]) / self._limits[self._judged])
+
+    def suffice(self, trajectory: JointTrajectory) -> bool:
+        """Whether every joint has the torque, and a little more, for a motion from standstill to standstill."""
+        most = self.of([JointPath("", trajectory.q)], trajectory.period).largest
+        return most is None or most.ratio <= MOVING_SHARE
 
     def of(self, paths: Sequence[JointPath], period: float) -> PlanTorques:
         """The largest share of its torque that a joint has to give, anywhere along motions from standstill to standstill.

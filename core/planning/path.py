@@ -18,6 +18,7 @@ from core.cell.cell import Cell
 from core.errors import NoPath
 from core.planning.certificate import LeastMargin, least_margin
 from core.planning.effort import PATH_ITERATIONS
+from core.planning.joint_torques import JointTorques
 from core.planning.pair_margins import PairMargins
 from core.planning.room import Room
 from core.planning.settings import Planner
@@ -30,6 +31,9 @@ from core.words.message import Message
 
 SPARE_M = 0.005
 """Margin that planning keeps on top of the required clearance, for rounding corners and for the controller's tracking error."""
+
+TIGHT_SPARE_M = 0.002
+"""The same where no path is found that keeps `SPARE_M`."""
 
 START, GOAL = Message.of("planning-end-start"), Message.of("planning-end-goal")
 """The ends of a path."""
@@ -68,6 +72,8 @@ def plan_path(
     planner: Planner = "rrt_connect",
     seed: int = 0,
     iterations: int = PATH_ITERATIONS[-1],
+    torques: JointTorques | None = None,
+    spare_m: float = SPARE_M,
 ) -> Path:
     """Path from start (n,) to a goal that keeps every required distance, short in time at the cell's Cartesian speed limit.
 
@@ -75,6 +81,8 @@ def plan_path(
         goal: (n,), or (K, n) for a path to any one of them, whichever is found (see `one_turn_away`).
         seed: the same seed gives the same path, however busy the machine is.
         iterations: bound on the search; RRT* uses all of them.
+        torques: with the load that the joints have to hold everywhere; None where they are not to be judged.
+        spare_m: margin on top of the required distances.
 
     Raises:
         NoPath: start or goal outside the limits or too close to something; or nothing found in so many iterations.
@@ -84,7 +92,7 @@ def plan_path(
     check_end(START, start, robot, collision, throws)
     ends = np.stack((start, *_possible_goals(np.atleast_2d(np.array(goal, dtype=float)), robot, collision, throws)))
     limits = MotionLimits.of_cell(cell, robot, collision)
-    room = Room(robot, collision, throws, ends, SPARE_M)
+    room = Room(robot, collision, throws, ends, spare_m, torques)
 
     def cost(q: Array) -> float:
         return least_seconds(q, robot, limits)

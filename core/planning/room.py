@@ -1,4 +1,5 @@
-"""Where a path may go: within the joint limits, with every required distance and something to spare, and where a load may come off."""
+"""Where a path may go: within the joint limits, with every required distance and something to spare, where the joints can hold the load,
+and where it may come off."""
 
 from __future__ import annotations
 
@@ -6,6 +7,7 @@ import numpy as np
 
 from core.array import Array
 from core.planning.certificate import is_clear
+from core.planning.joint_torques import HOLDING_SHARE, JointTorques
 from core.planning.pair_margins import PairMargins
 from core.planning.throw import ThrowCheck
 from core.robot.collision import CollisionModel
@@ -17,7 +19,8 @@ LIMIT_ROOM_RAD = 0.02
 BESIDE = 4.0
 """How far beside a zone a load falls that comes off at rest, in wanted margins: a slow motion throws it no farther than these 2 cm."""
 
-_DROP_STEP_RAD = 0.04
+_STEP_RAD = 0.04
+"""Between the configurations of a motion at which the load's weight and its fall are looked at."""
 
 _RISE = 0.05
 """How fast the wanted margin rises with the bound of the motion from a tight end; that bound is far larger than what leads away."""
@@ -30,15 +33,25 @@ class Room:
         throws: of the cell as it is now.
         ends: (K, n), start and goals.
         spare_m: wanted margin. Near an end that has less, less is asked: half of that end's margin, rising with the distance from it.
+        torques: with the load, which the joints can hold everywhere, as well as at the ends at least; None where they are not to be judged.
     """
 
-    def __init__(self, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck, ends: Array, spare_m: float) -> None:
+    def __init__(
+        self,
+        robot: RobotModel,
+        collision: CollisionModel,
+        throws: ThrowCheck,
+        ends: Array,
+        spare_m: float,
+        torques: JointTorques | None = None,
+    ) -> None:
         self.margins = PairMargins(collision)
         self._collision = collision
         self.lower = np.minimum(robot.lower + LIMIT_ROOM_RAD, ends.min(axis=0))
         self.upper = np.maximum(robot.upper - LIMIT_ROOM_RAD, ends.max(axis=0))
         self._spare_m = spare_m
-        self._robot, self._throws = robot, throws
+        self._robot, self._throws, self._torques = robot, throws, torques
+        self._holding_share = HOLDING_SHARE if torques is None else max(HOLDING_SHARE, torques.holding_share(ends))
         self._beside_m = min(BESIDE * spare_m, 0.5 * self._drop_m(ends))
         self._tight = [(q, margin) for q in ends if (margin := collision.room(q)) < 2.0 * spare_m]
 
@@ -50,7 +63,7 @@ class Room:
     def has(self, q: Array) -> bool:
         """Whether the robot may be at q (n,)."""
         within = bool((q >= self.lower).all() and (q <= self.upper).all())
-        return within and self._collision.is_free(q) and self._collision.room(q) >= self.spare(q) and self._falls_beside(q[None])
+        return within and self._collision.is_free(q) and self._collision.room(q) >= self.spare(q) and self._bears_load(q[None])
 
     def has_all(self, q: Array) -> bool:
         """Whether the robot may move along the polyline q (N, n); what is cheap to refuse is refused first."""
@@ -58,7 +71,11 @@ class Room:
             return False
         free = self._collision.is_free
         middles = 0.5 * (q[:-1] + q[1:])
-        return all(free(row) for row in (*q, *middles)) and self._falls_beside(_dense(q)) and is_clear(self.margins, q, self.spare)
+        return all(free(row) for row in (*q, *middles)) and self._bears_load(_dense(q)) and is_clear(self.margins, q, self.spare)
+
+    def _bears_load(self, q: Array) -> bool:
+        """Whether the joints can hold the load at q (N, n), and it falls beside the zones where it comes off."""
+        return self._falls_beside(q) and (self._torques is None or self._torques.holding_share(q) <= self._holding_share)
 
     def _falls_beside(self, q: Array) -> bool:
         """Whether a load that comes off at rest anywhere at q (N, n) falls beside the zones."""
@@ -71,7 +88,7 @@ class Room:
 
 
 def _dense(q: Array) -> Array:
-    """The polyline q (N, n), N >= 2, with rows at most `_DROP_STEP_RAD` rad apart."""
+    """The polyline q (N, n), N >= 2, with rows at most `_STEP_RAD` rad apart."""
     along = np.concatenate(([0.0], np.cumsum(np.linalg.norm(np.diff(q, axis=0), axis=1))))
-    at = np.unique(np.concatenate((along, np.linspace(0.0, along[-1], 1 + int(np.ceil(along[-1] / _DROP_STEP_RAD))))))
+    at = np.unique(np.concatenate((along, np.linspace(0.0, along[-1], 1 + int(np.ceil(along[-1] / _STEP_RAD))))))
     return np.stack([np.interp(at, along, column) for column in q.T], axis=1)

@@ -29,12 +29,13 @@ DIRECTIONS = np.array([way for way in product((-1.0, 0.0, 1.0), repeat=3) if any
 
 @njit(cache=True)
 def _least_room(
-    chain: Chain, q: Array, points: Array, radius: Array, carrier: NDArray[np.int64], first: NDArray[np.int64],
+    chain: Chain, q: Array, points: Array, radius: Array, carrier: NDArray[np.int64], first: NDArray[np.int64], ball: Array,
     pairs: NDArray[np.int64], required: Array, share: Array, scale: Array, clearance: float, solids: Solids,
 ) -> Array:  # fmt: skip
     n = q.shape[1]
     R, p = np.empty((n + 1, 3, 3)), np.empty((n + 1, 3))
     world = np.empty((len(points), 3))
+    middle = np.empty((len(ball), 3))
     out = np.ones(len(q))
     for k in range(len(q)):
         joint_frames(chain.placements, chain.axes, q[k], R, p)
@@ -42,8 +43,15 @@ def _least_room(
             j = carrier[i]
             for r in range(3):
                 world[i, r] = p[j, r] + R[j, r, 0] * points[i, 0] + R[j, r, 1] * points[i, 1] + R[j, r, 2] * points[i, 2]
+        for b in range(len(ball)):
+            j = carrier[first[b]]
+            for r in range(3):
+                middle[b, r] = p[j, r] + R[j, r, 0] * ball[b, 0] + R[j, r, 1] * ball[b, 1] + R[j, r, 2] * ball[b, 2]
         for m in range(len(pairs)):
             body, s = pairs[m]
+            within = signed_distance(solids, s, middle[body, 0], middle[body, 1], middle[body, 2]) - ball[body, 3]
+            if ((within + ROUNDING_M - required[m]) / share[m] + clearance) / scale[m] >= out[k]:
+                continue  # none of its points is nearer than the ball round them
             nearest = np.inf
             for i in range(first[body], first[body + 1]):
                 nearest = min(nearest, signed_distance(solids, s, world[i, 0], world[i, 1], world[i, 2]) - radius[i])
@@ -72,6 +80,7 @@ class RoomBound:
         counts = [len(points) for points, _ in of_bodies]
         self._carrier = np.repeat(np.array([body.joint - 1 for body in bodies], dtype=np.int64), counts)
         self._first = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
+        self._balls = np.array([_ball_round(points, radius) for points, radius in of_bodies]).reshape(-1, 4)
         number = {id(each): k for each_of in (bodies, things) for k, each in enumerate(each_of)}
         self._pairs = np.array([[number[id(body)], number[id(thing)]] for body, thing in pairs], dtype=np.int64).reshape(-1, 2)
         self._required, self._share = collision.required_m[kept], collision.share[kept]
@@ -83,10 +92,16 @@ class RoomBound:
         """(N,), what the least of D is at most at q (N, n); at most 1."""
         return np.asarray(
             _least_room(
-                self._chain, np.ascontiguousarray(q), self._points, self._radius, self._carrier, self._first,
+                self._chain, np.ascontiguousarray(q), self._points, self._radius, self._carrier, self._first, self._balls,
                 self._pairs, self._required, self._share, self._scale, self._clearance, self._solids,
             )
         )  # fmt: skip
+
+
+def _ball_round(points: Array, radius: float) -> Array:
+    """(4,), centre and radius of a ball that holds the points (k, 3) and what is round each."""
+    centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    return np.append(centre, np.linalg.norm(points - centre, axis=1).max() + radius)
 
 
 def _points_of(body: Body) -> tuple[Array, float]:

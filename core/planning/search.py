@@ -8,26 +8,24 @@ from collections.abc import Generator, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from threading import Thread
-from typing import NamedTuple
 
 import numpy as np
 
 from core.array import Array
 from core.cell.cell import Box, Cell
 from core.cell.tools import widest_box
-from core.errors import BadRobot, NoPath, Refused
+from core.errors import BadRobot, NoPath, PlanDisputed, Refused
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned, drive
-from core.planning.commanded_path import compute_joint_paths
+from core.planning.candidate_checks import Attitude
+from core.planning.confirmation import Confirmation, check_standing, confirm_plan
 from core.planning.effort import PATH_ITERATIONS, grid_rounds, path_iterations
 from core.planning.information import Worth, find_information, find_seconds
-from core.planning.joint_torques import JointTorques, Load, guess_load, refuse_too_heavy
-from core.planning.path import START, check_end, one_turn_away
-from core.planning.plan import Leg, Plan, motions_of
+from core.planning.joint_torques import JointTorques, Load, guess_load
+from core.planning.path import SPARE_M, TIGHT_SPARE_M, one_turn_away
+from core.planning.plan import Leg, Plan
 from core.planning.settings import Planner, Timing
-from core.planning.start_configuration import Attitude, Grid, StartConfiguration, find_start_configuration
-from core.planning.stop import Stop, Swings, wave_shape
-from core.planning.summary import PlanTorques
-from core.planning.throw import ThrowCheck
+from core.planning.start_configuration import Grid, StartConfiguration, find_start_configuration
+from core.planning.stop import Stop, wave_shape
 from core.planning.torque_wave import choose_wave
 from core.planning.transfer import Transfer, plan_transfer
 from core.planning.wave import fit_wave
@@ -38,11 +36,14 @@ from core.robot.decoupling import decoupling_profile, predict_inertia, repetitio
 from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile
 from core.second_opinion.arm import build_solid_arm
-from core.second_opinion.opinion import JointPath, Opinion, second_opinion
-from core.second_opinion.refusal import refuse_disputed
 
+SMALLER_SWINGS = (0.5, 0.25)
+"""Parts of a rotation's angle that will do where there is no room for all of it, at a speed that is lower by their root; repeated as often
+as the wanted accuracy needs, small swings tell as much as wide ones."""
 ALTERNATIVES = 3
 """Ways to the same stops among which the most telling one is taken."""
+ANOTHER_SEED = 3
+"""Plans that are made, each from a seed of its own, before it is said that the second opinion confirms none."""
 POSTURES = 4
 """Searches among which the posture farthest from another one is taken."""
 
@@ -83,19 +84,15 @@ def plan_stops(
     Thread(target=_read_ahead, args=(cell, payload_box), daemon=True).start()
     timing = timing or Timing()
     torques = check_standing(cell, robot, collision, start, load or guess_load(cell, payload_box, mass_guess_kg), period)
-    search = _Search(cell, robot, collision, payload_box, period, planner, seed, torques, effort)
-    legs: list[Leg] = []
-    here = start
-    worth = None if target is None else Worth(target, torques.load.parameters)
-    for group in _group_opposites(stops):
-        legs += yield from search.reach(group, here, legs) if worth is None else search.reach_most_telling(group, here, legs, worth, timing)
-        here = legs[-1].transfer.goal
-    back = way_home(cell, robot, collision, here, period=period, planner=planner, seed=seed, effort=effort)
-    yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
-    legs = _repeat_rotations(legs, back, timing, search, mass_guess_kg)
-    found = confirm_plan(cell, robot, collision, payload_box, legs, back, torques)
-    if target is not None:
-        legs = add_ways_home(cell, robot, collision, payload_box, legs, back, torques, planner=planner, seed=seed)
+    for attempt in range(ANOTHER_SEED):
+        search = _Search(cell, robot, collision, payload_box, period, planner, seed + 7919 * attempt, torques, effort)
+        try:
+            legs, back, found = yield from search.plan_once(stops, start, timing, mass_guess_kg, target)
+            break
+        except PlanDisputed as error:
+            disputed = error
+    else:
+        raise disputed
     plan = Plan(tuple(legs), back, timing, time.perf_counter() - began, found.opinion, found.torques, found.commanded)
     yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
     return plan
@@ -128,69 +125,9 @@ def _repeat_rotations(legs: list[Leg], home: Transfer, timing: Timing, search: _
     return [search.repeat_as_needed(leg, budget, mass_guess_kg, timing.inertia_std) for leg in legs]
 
 
-def check_standing(cell: Cell, robot: RobotModel, collision: CollisionModel, start: Array, load: Load, period: float) -> JointTorques:
-    """The torques of the joints with a load, for a robot that may be at joint positions `start` (n,) and holds it there and at home.
-
-    Raises:
-        NoPath: it may not be there.
-        TooHeavy: it cannot.
-    """
-    check_end(START, start, robot, collision, ThrowCheck(cell))
-    torques = JointTorques(cell, robot, load)
-    home = np.array(cell.robot.home_rad)
-    refuse_too_heavy(torques.of([JointPath("start", start[None]), JointPath("home", home[None])], period))
-    return torques
-
-
-class Confirmation(NamedTuple):
-    """What was found of a finished plan, set point by set point."""
-
-    opinion: Opinion
-    torques: PlanTorques
-    commanded: tuple[JointPath, ...]
-
-
-def confirm_plan(
-    cell: Cell,
-    robot: RobotModel,
-    collision: CollisionModel,
-    payload_box: Box,
-    legs: Sequence[Leg],
-    home: Transfer,
-    torques: JointTorques,
-) -> Confirmation:
-    """Torques and the second opinion on legs and the way home, every set point as it will be commanded.
-
-    Raises:
-        TooHeavy: a joint has not the torque.
-        PlanDisputed: the second opinion does not confirm them, or one of their motions cannot be carried out.
-    """
-    first = legs[0].transfer if legs else home
-    paths = compute_joint_paths(cell, robot, collision, motions_of(legs, home), first.trajectory.q[0])
-    asked = torques.of(paths, home.trajectory.period)
-    refuse_too_heavy(asked)
-    opinion = second_opinion(cell, payload_box, paths, home.trajectory.period)
-    refuse_disputed(cell, opinion)
-    return Confirmation(opinion, asked, tuple(paths))
-
-
-def way_home(
-    cell: Cell, robot: RobotModel, collision: CollisionModel, here: Array, *, period: float, planner: Planner, seed: int, effort: int
-) -> Transfer:
-    """From joint positions `here` (n,) to home, which no other place can stand in for: the longest searches only.
-
-    Raises:
-        NoPath: with the reason of the last of them.
-    """
-    home = np.array(cell.robot.home_rad)
-    for attempt, iterations in enumerate(path_iterations(effort)[len(PATH_ITERATIONS) - 1 :]):
-        try:
-            return plan_transfer(
-                cell, robot, collision, here, home, period=period, planner=planner, seed=seed + 101 * attempt, iterations=iterations
-            )
-        except NoPath as error:
-            failure = error
-    raise failure
+def _path_searches(iterations: Sequence[int]) -> list[tuple[int, float]]:
+    """Iterations and wanted margins (m) of one search after the other: where none finds a path the last two are made with less margin."""
+    return [*((each, SPARE_M) for each in iterations), *((each, TIGHT_SPARE_M) for each in iterations[-2:])]
 
 
 @dataclass(frozen=True)
@@ -207,6 +144,39 @@ class _Search:
     torques: JointTorques
     effort: int
 
+    def plan_once(
+        self, stops: Sequence[Stop], start: Array, timing: Timing, mass_guess_kg: float, target: Target | None
+    ) -> Generator[Event, None, tuple[list[Leg], Transfer, Confirmation]]:
+        """Legs through all stops, the way home, and what the second opinion finds of them; see `plan_stops`."""
+        legs: list[Leg] = []
+        here = start
+        worth = None if target is None else Worth(target, self.torques.load.parameters)
+        for group in _group_opposites(stops):
+            legs += yield from self.reach(group, here, legs) if worth is None else self.reach_most_telling(group, here, legs, worth, timing)
+            here = legs[-1].transfer.goal
+        back = self.way_home(here)
+        yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
+        legs = _repeat_rotations(legs, back, timing, self, mass_guess_kg)
+        what = self.cell, self.robot, self.collision, self.payload_box
+        found = confirm_plan(*what, legs, back, self.torques)
+        if target is not None:
+            legs = add_ways_home(*what, legs, back, self.torques, planner=self.planner, seed=self.seed)
+        return legs, back, found
+
+    def way_home(self, here: Array) -> Transfer:
+        """From joint positions `here` (n,) to home, which no other place can stand in for: the longest searches only.
+
+        Raises:
+            NoPath: with the reason of the last of them.
+        """
+        home = np.array(self.cell.robot.home_rad)
+        for attempt, search in enumerate(_path_searches(path_iterations(self.effort)[len(PATH_ITERATIONS) - 1 :])):
+            try:
+                return self._transfer(here, home, *search, seed=self.seed + 101 * attempt)
+            except NoPath as error:
+                failure = error
+        raise failure
+
     def reach(self, group: tuple[Stop, ...], here: Array, before: Sequence[Leg]) -> Generator[Event, None, list[Leg]]:
         """Stops that can be reached from joint positions `here`, and leave room for what is done there; others where these cannot.
 
@@ -215,10 +185,10 @@ class _Search:
         Args:
             before: the legs up to there: a wave that is for planning to choose tells what these leave open.
         """
-        for attempt, iterations in enumerate(path_iterations(self.effort)):
+        for attempt, (iterations, spare_m) in enumerate(_path_searches(path_iterations(self.effort))):
             starts = yield from self._find(group, here, self.seed + 101 * attempt)
             try:
-                return (yield from self._connect(group, starts, here, iterations, before))
+                return (yield from self._connect(group, starts, here, iterations, spare_m, before))
             except NoPath as error:
                 failure = error
         failure.axis = group[0].label
@@ -244,17 +214,17 @@ class _Search:
     def repeat_as_needed(self, leg: Leg, budget: float, mass_guess_kg: float, inertia_std: float) -> Leg:
         """A leg with its rotation as often as the wanted relative uncertainty needs in `budget` s, if its stop leaves that open."""
         swings = leg.stop.swings
-        if swings is None or not leg.stop.repeats_as_needed:
+        if swings is None or leg.start.rotation is None or not leg.stop.repeats_as_needed:
             return leg
         k = "xyz".index(swings.about)
-        once = self._profile(swings)
+        once = leg.start.rotation
         repetitions = repetitions_for(
             once,
             torque_std=self.cell.sensor.noise_std[3 + k],
             inertia_std=inertia_std * predict_inertia(self.payload_box, mass_guess_kg, k),
             budget=max(budget, once.duration),
         )
-        return replace(leg, profile=self._profile(swings, repetitions))
+        return replace(leg, profile=once.repeat(repetitions))
 
     def _find(self, group: tuple[Stop, ...], here: Array, seed: int) -> Generator[Event, None, list[StartConfiguration]]:
         """The harder one of two opposite stops first, which is the one with a rotation; the other then near it."""
@@ -282,8 +252,11 @@ class _Search:
 
     def _start(self, stop: Stop, near: Array | None, seed: int) -> StartConfiguration:
         about = "x" if stop.swings is None else stop.swings.about
-        rotation = None if stop.swings is None else self._profile(stop.swings)
-        attitude = Attitude(stop.label, np.array(stop.down), np.eye(3)["xyz".index(about)], rotation)
+        rotation = None if stop.swings is None else self._profile(stop.swings.excursion_rad)
+        smaller: tuple[AngularProfile, ...] = ()
+        if rotation is not None and stop.repeats_as_needed:
+            smaller = tuple(self._profile(share * float(rotation.angle.max())) for share in SMALLER_SWINGS)
+        attitude = Attitude(stop.label, np.array(stop.down), np.eye(3)["xyz".index(about)], rotation, smaller)
         grid = Grid(rounds=grid_rounds(self.effort))
         found = find_start_configuration(
             self.cell, self.robot, self.collision, attitude, seed=seed, near=near, grid=grid, torques=self.torques
@@ -291,31 +264,42 @@ class _Search:
         return replace(found, about="" if stop.swings is None else about)
 
     def _connect(
-        self, group: tuple[Stop, ...], starts: list[StartConfiguration], here: Array, iterations: int, before: Sequence[Leg]
+        self,
+        group: tuple[Stop, ...],
+        starts: list[StartConfiguration],
+        here: Array,
+        iterations: int,
+        spare_m: float,
+        before: Sequence[Leg],
     ) -> Generator[Event, None, list[Leg]]:
         """Transfers from one stop to the next, and what is done at their ends."""
         legs: list[Leg] = []
         for stop, start in zip(group, starts, strict=True):
             goals = one_turn_away(self.robot, start.q, here)
-            transfer = plan_transfer(
-                self.cell,
-                self.robot,
-                self.collision,
-                here,
-                goals,
-                period=self.period,
-                planner=self.planner,
-                seed=self.seed,
-                iterations=iterations,
-            )
+            transfer = self._transfer(here, goals, iterations, spare_m, seed=self.seed)
             legs.append(self._make_leg(stop, replace(start, q=transfer.goal), transfer, [*before, *legs]))
             yield TransferPlanned(axis=stop.label, robot_s=transfer.trajectory.duration, least_margin_m=transfer.least_margin_m)
             here = transfer.goal
         return legs
 
+    def _transfer(self, here: Array, goals: Array, iterations: int, spare_m: float, *, seed: int) -> Transfer:
+        return plan_transfer(
+            self.cell,
+            self.robot,
+            self.collision,
+            here,
+            goals,
+            period=self.period,
+            planner=self.planner,
+            seed=seed,
+            iterations=iterations,
+            torques=self.torques,
+            spare_m=spare_m,
+        )
+
     def _make_leg(self, stop: Stop, start: StartConfiguration, transfer: Transfer, before: Sequence[Leg]) -> Leg:
-        if stop.swings is not None:
-            return Leg(stop, start, transfer, profile=self._profile(stop.swings, stop.swings.repetitions or 1))
+        if stop.swings is not None and start.rotation is not None:
+            return Leg(stop, start, transfer, profile=start.rotation.repeat(stop.swings.repetitions or 1))
         if stop.wave is not None and stop.wave.wrist is None:
             made = [*(each for leg in before for each in leg.trajectories), transfer.trajectory]
             load = self.torques.load.parameters
@@ -326,11 +310,11 @@ class _Search:
             return Leg(stop, start, transfer, wave=fit_wave(self.cell, self.robot, self.collision, start.q, shape, self.period))
         return Leg(stop, start, transfer)
 
-    def _profile(self, swings: Swings, repetitions: int = 1) -> AngularProfile:
+    def _profile(self, excursion_rad: float) -> AngularProfile:
+        """A rotation out and back once, that far at most."""
         return decoupling_profile(
             widest_box(self.cell, self.payload_box),
             cartesian_speed=self.cell.limits.cartesian_speed_m_s,
             period=self.period,
-            repetitions=repetitions,
-            excursion=swings.excursion_rad,
+            excursion=excursion_rad,
         )

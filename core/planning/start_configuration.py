@@ -7,29 +7,25 @@ comes off, at whatever moment, flies into a protected zone.
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 from functools import partial
-from typing import NamedTuple, Self
+from typing import NamedTuple
 
 import numpy as np
 
 from core.array import Array
 from core.cell.body_name import name_body
 from core.cell.cell import Cell
-from core.errors import NoStartConfiguration, TooHeavy
+from core.errors import NoStartConfiguration
+from core.planning.candidate_checks import Accepted, Attitude, Checks
 from core.planning.candidates import Candidates, CandidateSearch, Weights
-from core.planning.certificate import is_clear
 from core.planning.effort import GRID_ROUNDS
 from core.planning.grid import Postures, draw_postures, first_grid, second_grid
-from core.planning.joint_torques import HOLDING_SHARE, JointTorques
-from core.planning.pair_margins import PairMargins
-from core.planning.rotation_room import Obstruction, RotationCheck, Turn
-from core.planning.throw import Throw, ThrowCheck, loads_of
+from core.planning.joint_torques import JointTorques
+from core.planning.throw import Throw
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile
-from core.robot.watched_pairs import ROOM_M
 from core.words.message import Message
 
 TIGHT_ROOM_M = 0.002
@@ -39,13 +35,6 @@ LIMIT_MARGIN_RAD = 0.05
 """Start configurations and rotations keep this far from the joint limits."""
 
 UNREACHABLE = Message.of("planning-rejected-unreachable")
-OBSTRUCTIONS = {
-    Obstruction.JOINT_LIMIT: Message.of("planning-rejected-joint-limits"),
-    Obstruction.JOINT_SPEED: Message.of("planning-rejected-joint-speed"),
-    Obstruction.JOINT_ACCELERATION: Message.of("planning-rejected-joint-acceleration"),
-    Obstruction.CARTESIAN_SPEED: Message.of("planning-rejected-cartesian-speed"),
-}
-"""What rejects a candidate, beside what `Checks` names with a body, a joint or a zone."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +71,7 @@ class StartConfiguration:
         throw: the flight of a released load that comes nearest to a protected zone; None when the cell has no zones.
         candidates: how many configurations were tried.
         about: sensor axis of the rotation; that of `axis` where empty.
+        rotation: that is made from there, once out and back; None where there is none.
     """
 
     axis: str
@@ -94,127 +84,7 @@ class StartConfiguration:
     throw: Throw | None
     candidates: int
     about: str = ""
-
-
-@dataclass(frozen=True)
-class Accepted:
-    """A candidate that passed every check."""
-
-    row: int
-    path: Array
-    throw: Throw | None
-
-
-class Checks:
-    """Everything that a candidate has to pass, the cheap checks first; counts what was rejected, and why."""
-
-    def __init__(
-        self,
-        cell: Cell,
-        robot: RobotModel,
-        collision: CollisionModel,
-        axis: Array,
-        rotation: AngularProfile | None,
-        limits: tuple[Array, Array],
-        torques: JointTorques | None = None,
-        room_m: float = ROOM_M,
-    ) -> None:
-        self._torques, self._room_m = torques, room_m
-        self._cell, self._robot, self._collision = cell, robot, collision
-        self._margins = PairMargins(collision)
-        self._throw = ThrowCheck(cell)
-        self._loads = loads_of(collision.payload_box, axis, rotation)
-        self._rotation = None
-        if rotation is not None:
-            self._rotation = RotationCheck(cell, robot, collision, Turn.of(rotation, axis), limits)
-        self.rejected: Counter[Message] = Counter()
-        self._with_room = 0
-        self._thrown_into: Counter[str] = Counter()
-        self._too_weak: list[tuple[float, str]] = []
-
-    def check_candidate(self, candidates: Candidates, row: int) -> Accepted | None:
-        """The candidate with its rotation, or None, which is counted."""
-        outcome = self._check(candidates.q[row], candidates.clearance[row])
-        if isinstance(outcome, Message):
-            self.rejected[outcome] += 1
-            return None
-        return Accepted(row, *outcome)
-
-    @property
-    def thrown_into(self) -> str | None:
-        """The zone that a load could fly into from most of the candidates that have room to stand."""
-        return next((zone for zone, times in self._thrown_into.items() if 2 * times > self._with_room), None)
-
-    def refuse_too_weak(self, axis: str) -> None:
-        """Nothing unless holding the load is what keeps most of the candidates that have room to stand from being used.
-
-        Raises:
-            TooHeavy: it is.
-        """
-        if 2 * len(self._too_weak) > self._with_room:
-            share, joint = min(self._too_weak)
-            raise TooHeavy("planning-too-heavy-to-hold", axis=axis, joint=joint, share=share, most_share=HOLDING_SHARE)
-
-    def _check(self, q: Array, clearance: float) -> tuple[Array, Throw | None] | Message:
-        """The path of the rotation (K, n) and the worst throw, or the reason for the refusal."""
-        if clearance < self._cell.limits.clearance_m + self._room_m:
-            return Message.of("planning-rejected-obstacle", body=name_body(self._cell, self._collision.obstacle_distance(q).second))
-        if self._collision.self_room(q) < self._room_m:
-            first, second = self._tightest(q[None])
-            return Message.of("planning-rejected-bodies", first=first, second=second)
-        self._with_room += 1
-        throw = self._throw_with_load(q)
-        if isinstance(throw, Message):
-            return throw
-        path = q[None] if self._rotation is None else self._rotation(q)
-        if isinstance(path, Obstruction):
-            return OBSTRUCTIONS[path]
-        if len(path) > 1 and not is_clear(self._margins, path, self._room_m):
-            first, second = self._tightest(path)
-            return Message.of("planning-rejected-rotation-bodies", first=first, second=second)
-        return path, throw
-
-    def _throw_with_load(self, q: Array) -> Throw | Message | None:
-        """The worst throw from q (n,), or why the load may not be there."""
-        weak = None if self._torques is None else self._torques.too_weak_to_hold(q)
-        if weak is not None:
-            joint, share = weak
-            self._too_weak.append((share, joint))
-            return Message.of("planning-rejected-joint-too-weak", joint=joint)
-        pose = self._robot.sensor_pose(q)
-        throw = self._throw.nearest(self._loads, pose.rotation, pose.position)
-        if throw is not None and throw.distance_m < 0.0:
-            self._thrown_into[throw.zone] += 1
-            return Message.of("planning-rejected-throw", zone=throw.zone)
-        return throw
-
-    def _tightest(self, path: Array) -> tuple[Message, Message]:
-        """The two bodies with the least margin on a path (K, n)."""
-        nearest = min((self._collision.nearest(q) for q in path), key=lambda pair: pair.margin_m)
-        return name_body(self._cell, nearest.first), name_body(self._cell, nearest.second)
-
-
-@dataclass(frozen=True)
-class Attitude:
-    """What is sought: a direction of the sensor along gravity, and what is done there.
-
-    Args:
-        name: for messages.
-        down: (3,), unit vector in the sensor frame that is to lie along gravity.
-        about: (3,), unit vector in the sensor frame that `rotation` turns about, through the sensor origin.
-        rotation: positive about the sensor's own axis; None for a pose that is only held.
-    """
-
-    name: str
-    down: Array
-    about: Array
     rotation: AngularProfile | None = None
-
-    @classmethod
-    def of_axis(cls, axis: str, rotation: AngularProfile | None = None) -> Self:
-        """A sensor axis along ("x+") or against ("x-") gravity, and turned about."""
-        unit = np.eye(3)["xyz".index(axis[0])]
-        return cls(axis, unit if axis[1] == "+" else -unit, unit, rotation)
 
 
 def find_start_configuration(
@@ -245,7 +115,7 @@ def find_start_configuration(
     axis, direction = attitude.name, attitude.down
     down = cell.gravity / np.linalg.norm(cell.gravity)
     limits = (robot.lower + LIMIT_MARGIN_RAD, robot.upper - LIMIT_MARGIN_RAD)
-    make_checks = partial(Checks, cell, robot, collision, attitude.about, attitude.rotation, limits, torques)
+    make_checks = partial(Checks, cell, robot, collision, attitude, limits, torques)
     checks = make_checks()
     search = CandidateSearch(cell, robot, collision, limits=limits, near=near, diameter=2.0 * float(collision.reach[0]), weights=weights)
     rounds: list[_Round] = []
@@ -253,11 +123,12 @@ def find_start_configuration(
         postures = draw_postures(robot, rng, grid.postures, limits=limits, near=near, axis=direction, gravity=down)
         vertices, spacing = first_grid(postures, grid.vertices * 2**k)
         rounds.append(_Round(postures, vertices, spacing, search.at(vertices, postures, grid.per_vertex)))
-        if (found := _find_best(rounds[-1], search, checks, grid)) is not None:
+        found = _find_best(rounds[-1], search, checks, grid) or checks.check_smaller()
+        if found is not None:
             break
     if found is None:
         tight = make_checks(TIGHT_ROOM_M)
-        found = next((best for each in rounds if (best := _find_best(each, search, tight, grid)) is not None), None)
+        found = next((best for each in rounds if (best := _find_best(each, search, tight, grid))), None) or tight.check_smaller()
     if found is None:
         checks.refuse_too_weak(axis)
         raise _refusal(axis, [each.candidates for each in rounds], checks, collision)
@@ -303,6 +174,7 @@ def _describe_start(axis: str, candidates: Candidates, accepted: Accepted, colli
         manipulability=float(candidates.manipulability[row]),
         throw=accepted.throw,
         candidates=tried,
+        rotation=accepted.rotation,
     )
 
 

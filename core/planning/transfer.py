@@ -1,6 +1,7 @@
 """A transfer: from one configuration to another, planned, rounded, timed, and checked once more as it will be commanded.
 
-Where a load that comes off would fly into a protected zone the transfer is made slower, and where that does not help, another way.
+Where a load that comes off would fly into a protected zone, or a joint has not the torque, the transfer is made slower, and where that
+does not help, another way.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from core.errors import NoPath
 from core.planning.blending import round_corners
 from core.planning.certificate import least_margin
 from core.planning.effort import PATH_ITERATIONS
+from core.planning.joint_torques import JointTorques
 from core.planning.path import SPARE_M, START, check_drop, nearest_names, plan_path
 from core.planning.room import Room
 from core.planning.settings import Planner
@@ -29,11 +31,11 @@ from core.robot.trajectory import JointTrajectory
 SPEED_FRACTION = 0.96
 """Part of the Cartesian limit that is planned with; the rest is left to the controller's tracking error."""
 
-ROUNDING_SPARE_M = 0.6 * SPARE_M
-"""Margin that rounding a corner may not use up: what is left for the controller's tracking error."""
+LEFT_BY_ROUNDING = 0.6
+"""Part of a path's margin that rounding a corner may not use up: what is left for the controller's tracking error."""
 
 SLOWER = (1.0, 0.5, 0.25, 0.12)
-"""Parts of the speed, one after the other, at which a load is not thrown into a zone."""
+"""Parts of the speed, one after the other, at which a load is not thrown into a zone and the joints have the torque."""
 
 _TRIES = 4
 
@@ -73,6 +75,8 @@ def plan_transfer(
     seed: int = 0,
     planner: Planner = "rrt_connect",
     iterations: int = PATH_ITERATIONS[-1],
+    torques: JointTorques | None = None,
+    spare_m: float = SPARE_M,
 ) -> Transfer:
     """Timed transfer from start (n,) to goal that keeps all distances and limits.
 
@@ -80,6 +84,8 @@ def plan_transfer(
         goal: (n,), or (K, n) for a transfer to any one of them; `Transfer.goal` tells which.
         period: control period, s.
         iterations: bound on the search for a path, for each of a few tries.
+        torques: with the load that the joints have to carry; None where they are not to be judged.
+        spare_m: margin of the path on top of the required distances.
 
     Raises:
         NoPath: with the reason of the last try.
@@ -91,10 +97,13 @@ def plan_transfer(
     limits = MotionLimits.of_cell(cell, robot, collision)
     limits = replace(limits, cartesian_speed_m_s=SPEED_FRACTION * limits.cartesian_speed_m_s)
     for attempt in range(_TRIES):
-        path = plan_path(cell, robot, collision, start, goal, planner=planner, seed=seed + 1000 * attempt, iterations=iterations)
-        room = Room(robot, collision, throws, path.q[[0, -1]], ROUNDING_SPARE_M)
+        path = plan_path(
+            cell, robot, collision, start, goal,
+            planner=planner, seed=seed + 1000 * attempt, iterations=iterations, torques=torques, spare_m=spare_m,
+        )  # fmt: skip
+        room = Room(robot, collision, throws, path.q[[0, -1]], LEFT_BY_ROUNDING * spare_m, torques)
         try:
-            trajectory = _time_clear_of_zones(path.q, round_corners(path.q, room.has_all), robot, collision, throws, limits, period)
+            trajectory = _time_safely(path.q, round_corners(path.q, room.has_all), robot, collision, throws, torques, limits, period)
         except NoPath as error:
             failure = error
             continue
@@ -108,25 +117,35 @@ def plan_transfer(
     raise failure
 
 
-def _time_clear_of_zones(
-    path_q: Array, curve: PPoly, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck, limits: MotionLimits, period: float
+def _time_safely(
+    path_q: Array,
+    curve: PPoly,
+    robot: RobotModel,
+    collision: CollisionModel,
+    throws: ThrowCheck,
+    torques: JointTorques | None,
+    limits: MotionLimits,
+    period: float,
 ) -> JointTrajectory:
-    """The trajectory along a curve, as fast as a load that comes off anywhere stays out of the zones.
+    """The trajectory along a curve, as fast as a load that comes off anywhere stays out of the zones and the joints have the torque.
+
+    Where they have not even for the slowest, that is returned: what the whole plan asks of them is judged when it is finished.
 
     Raises:
         NoPath: it cannot be timed, or a load flies into a zone even from the slowest.
     """
     for share in SLOWER:
-        slower = replace(limits, cartesian_speed_m_s=share * limits.cartesian_speed_m_s)
+        slower = replace(limits, cartesian_speed_m_s=share * limits.cartesian_speed_m_s, acceleration=share**2 * limits.acceleration)
         trajectory = _between(path_q, time_curve(curve, robot, slower, period=period))
         throw = throws.into_zone(collision.payload_box, robot.sensor_poses(trajectory.q), period)
-        if throw is None:
-            return trajectory
-        failure = NoPath(
+        if throw is None and (torques is None or torques.suffice(trajectory)):
+            break
+    if throw is not None:
+        raise NoPath(
             "planning-transfer-throws-load",
             time_s=throw.time_s, speed_m_s=throw.speed_m_s, depth_m=-throw.distance_m, zone=throw.zone, in_the_way=throw.zone,
         )  # fmt: skip
-    raise failure
+    return trajectory
 
 
 def _between(path_q: Array, trajectory: JointTrajectory) -> JointTrajectory:

@@ -62,6 +62,7 @@ def add_ways_home(
                     planner=planner,
                     seed=seed,
                     iterations=path_iterations(1)[0],
+                    torques=torques,
                 )
                 if transfer.trajectory.duration < rest_s - WORTH_S:
                     way = _confirm(cell, robot, collision, payload_box, transfer, torques)

@@ -68,3 +68,8 @@ class AngularProfile:
         angle, rate = self.angle[: samples + 1].copy(), self.rate[: samples + 1].copy()
         angle[-1] = rate[-1] = 0.0  # what rounding leaves
         return AngularProfile(self.period, angle, rate)
+
+    def repeat(self, times: int) -> AngularProfile:
+        """The profile that often, one after the other."""
+        angle, rate = (np.concatenate((np.tile(each[:-1], times), each[-1:])) for each in (self.angle, self.rate))
+        return AngularProfile(self.period, angle, rate)

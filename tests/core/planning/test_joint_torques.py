@@ -14,14 +14,17 @@ from core.array import Array
 from core.cell.cell import Box, Cell, Friction, Pose
 from core.cell.folder import load_cell
 from core.errors import TooHeavy
+from core.planning.candidate_checks import Attitude
 from core.planning.joint_torques import HOLDING_SHARE, JointTorques, Load, even_load, find_known_load, guess_load, refuse_too_heavy
 from core.planning.search import plan_stops
-from core.planning.start_configuration import Attitude, Grid, find_start_configuration
+from core.planning.start_configuration import Grid, find_start_configuration
 from core.planning.stops import PROCEDURE
+from core.planning.transfer import plan_transfer
 from core.plant.arm import arm_of_cell
 from core.plant.mechanics import Drives, build_model
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
+from core.robot.trajectory import JointTrajectory
 from core.second_opinion.opinion import JointPath
 from core.words.message import Message
 
@@ -163,6 +166,27 @@ def test_start_configurations_are_those_that_the_joints_can_hold() -> None:
     torques = JointTorques(powerless, robot, load)
     with pytest.raises(TooHeavy, match=rf'sensor axis x- along gravity: the load is too heavy, .*"{names[1]}" would need \d+ %'):
         find_start_configuration(powerless, robot, collision, Attitude.of_axis("x-"), seed=0, grid=small, torques=torques)
+
+
+def test_a_transfer_for_which_a_joint_has_not_the_torque_is_made_slower_until_mujoco_says_that_it_has() -> None:
+    cell, robot = known("lwr4_bench")
+    cell = cell.model_copy(update={"zones": (), "obstacles": ()})
+    collision = CollisionModel(cell, robot, cell.payload_box)
+    load = even_load(cell.payload_box, 2.0, Message.of("planning-load-guessed"))
+    home = np.array(cell.robot.home_rad)
+    goal = home + np.array([1.2, 0.3, 0.0, 0.2, 0.0, 0.0, 0.0])
+
+    def move(weak: Cell) -> JointTrajectory:
+        return plan_transfer(weak, robot, collision, home, goal, period=PERIOD, torques=JointTorques(weak, robot, load)).trajectory
+
+    fast = move(cell)
+    turning = np.abs(mujocos(cell, load, fast.q))[:, 0].max()  # about the vertical: nothing to hold
+    names = [each.name for each in arm_of_cell(cell).joints]
+    weak = with_urdf(cell, lambda text: _with_effort(text, names[0], 0.5 * turning))
+    slow = move(weak)
+    assert np.abs(mujocos(weak, load, slow.q))[:, 0].max() <= 0.5 * turning
+    assert slow.duration > 1.2 * fast.duration
+    assert move(with_urdf(cell, lambda text: _with_effort(text, names[0], 1.05 * turning))).duration == pytest.approx(fast.duration)
 
 
 def _with_effort(text: str, joint: str, effort: float) -> str:

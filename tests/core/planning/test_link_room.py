@@ -7,8 +7,9 @@ import pytest
 
 from core.cell.cell import Cell
 from core.cell.folder import load_cell
+from core.planning.candidate_checks import Attitude
 from core.planning.link_room import LinkRoom
-from core.planning.start_configuration import Attitude, Grid, find_start_configuration
+from core.planning.start_configuration import Grid, find_start_configuration
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 

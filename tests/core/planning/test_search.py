@@ -8,11 +8,12 @@ import pytest
 from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
 from core.cell.tools import widest_box
-from core.errors import NoPath
+from core.errors import NoPath, PlanDisputed
 from core.events import Event, Planned, drive
 from core.gap.planned_path import path_of
-from core.planning.plan import Plan
-from core.planning.search import plan_stops
+from core.planning.confirmation import Confirmation, confirm_plan
+from core.planning.plan import Leg, Plan
+from core.planning.search import ANOTHER_SEED, plan_stops
 from core.planning.settings import Timing
 from core.planning.stop import Stop, Swings, Wave
 from core.planning.torque_wave import list_waves
@@ -21,6 +22,7 @@ from core.recording.recording import Recording
 from core.robot.collision import CollisionModel
 from core.robot.decoupling import decoupling_profile
 from core.robot.model import RobotModel
+from core.second_opinion.part_name import name_part
 
 STOPS = (
     Stop(down=(0.0, 0.0, 1.0), swings=Swings(about="x", repetitions=2)),
@@ -124,3 +126,28 @@ def test_rotations_without_a_number_share_the_robot_time_that_the_rest_leaves(pl
     assert counted.duration == pytest.approx(2 * once.duration)
     assert free.duration > 3 * once.duration
     assert timing.robot_s - once.duration <= plan.robot_s <= timing.robot_s
+
+
+def test_a_plan_that_the_second_opinion_disputes_is_made_again_from_another_seed(planned, monkeypatch):
+    """The first opinion is overheard and the plan disputed; the second stands."""
+    cell, robot, collision, _, _ = planned
+    made: list[tuple[Leg, ...]] = []
+
+    def dispute_first(*what: object) -> Confirmation:
+        made.append(tuple(what[4]))
+        if len(made) <= disputed:
+            raise PlanDisputed("planning-not-feasible", part=name_part("home"))
+        return confirm_plan(*what)
+
+    monkeypatch.setattr("core.planning.search.confirm_plan", dispute_first)
+    stops, home = (Stop(down=(0.0, 0.0, 1.0)),), np.array(cell.robot.home_rad)
+    disputed = 1
+    plan = drive(plan_stops(cell, robot, collision, collision.payload_box, stops, start=home))
+    assert len(made) == 2
+    assert np.abs(made[0][0].start.q - made[1][0].start.q).max() > 1e-3
+    assert plan.legs == made[1]
+    disputed = 100
+    made.clear()
+    with pytest.raises(PlanDisputed):
+        drive(plan_stops(cell, robot, collision, collision.payload_box, stops, start=home))
+    assert len(made) == ANOTHER_SEED

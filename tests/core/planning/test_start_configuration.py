@@ -13,15 +13,14 @@ from core.cell.folder import load_cell
 from core.control.bounds import JointLimits
 from core.control.rotation import Rotation
 from core.errors import BadCell, NoRoomAtHome, NoStartConfiguration
+from core.planning.candidate_checks import Attitude, Checks
 from core.planning.candidates import CandidateSearch, Weights
 from core.planning.link_room import LinkRoom
+from core.planning.rotation_room import Turn, rotation_path
 from core.planning.start_configuration import (
     LIMIT_MARGIN_RAD,
-    ROOM_M,
     TIGHT_ROOM_M,
     UNREACHABLE,
-    Attitude,
-    Checks,
     Grid,
     StartConfiguration,
     find_start_configuration,
@@ -31,6 +30,7 @@ from core.robot.decoupling import decoupling_profile
 from core.robot.model import RobotModel
 from core.robot.point_speed import point_positions
 from core.robot.trajectory import AngularProfile
+from core.robot.watched_pairs import ROOM_M
 from core.sessions.session import RobotState
 from core.words.message import Message
 
@@ -204,7 +204,7 @@ def test_a_start_keeps_a_hundredth_of_a_metre_beyond_every_required_distance_and
 
     def kept(beyond_m: float, room_m: float) -> bool:
         angle = brentq(lambda at: distance(at) - required_m - beyond_m, least, most)
-        checks = Checks(cell, robot, collision, np.eye(3)[2], None, limits, room_m=room_m)
+        checks = Checks(cell, robot, collision, Attitude.of_axis("z+"), limits, room_m=room_m)
         accepted = checks.check_candidate(search.of(turned(angle)[None]), 0) is not None
         assert accepted or any(f"too close to {name_body(cell, name)}" in str(reason) for reason in checks.rejected for name in pair)
         return accepted
@@ -232,6 +232,34 @@ def test_a_rotation_that_the_arm_cannot_make_fast_enough_is_refused_with_that_re
     assert UNREACHABLE in reasons
     assert refusal.value.axis == "x+"
     assert refusal.value.best_clearance_m > 0.1
+
+
+def test_where_the_arm_cannot_make_the_whole_rotation_a_smaller_one_that_keeps_its_limits_is_taken():
+    """The same rotation, and half and a quarter of it: the corners are followed by another library's kinematics."""
+    cell = load_cell(ROOT / "cells" / "lwr4_bench")
+    box = cell.payloads["steel_block"].box
+    robot = RobotModel.of_cell(cell)
+    collision = CollisionModel(cell, robot, box)
+    wide, small, smaller = (profile_of(box, excursion) for excursion in (0.6, 0.3, 0.15))
+    grid = Grid(vertices=150, rounds=1)
+
+    def found(*smaller: AngularProfile) -> StartConfiguration:
+        attitude = Attitude("x+", np.eye(3)[0], np.eye(3)[0], wide, smaller)
+        return find_start_configuration(cell, robot, collision, attitude, seed=0, grid=grid)
+
+    one = found(small, smaller)
+    assert one.rotation in (small, smaller)
+    assert found(smaller).rotation is smaller
+    if one.rotation is smaller:
+        with pytest.raises(NoStartConfiguration):
+            found(small)
+    path, _ = rotation_path(robot.chain, one.q, Turn.of(one.rotation, np.eye(3)[0]))
+    wrench = robot.sensor_poses(path)
+    np.testing.assert_allclose(wrench.position, wrench.position[:1].repeat(len(path), axis=0), atol=1e-4)
+    q = np.array([np.interp(one.rotation.angle, Turn.of(one.rotation, np.eye(3)[0]).angle, column) for column in path.T]).T
+    points = point_positions(robot.chain, collision.points, q)
+    fastest = np.linalg.norm(np.diff(points, axis=0), axis=2).max() / one.rotation.period
+    assert fastest <= cell.limits.cartesian_speed_m_s * 1.02  # between the grid's angles the path is taken to be straight
 
 
 def test_a_zone_under_everything_is_refused_because_of_the_load_that_would_fall_into_it(cell):

@@ -11,8 +11,9 @@ import core.planning.search
 from core.cell.folder import load_cell
 from core.errors import BadInput, NoPath, NoStartConfiguration
 from core.events import drive
+from core.planning.candidate_checks import Attitude
 from core.planning.settings import Scope, Timing
-from core.planning.start_configuration import UNREACHABLE, Attitude, StartConfiguration, find_start_configuration
+from core.planning.start_configuration import UNREACHABLE, StartConfiguration, find_start_configuration
 from core.planning.stop import Stop
 from core.planning.stops import PROCEDURE, PlanRequest, Stops
 from core.robot.collision import CollisionModel

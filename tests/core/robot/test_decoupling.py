@@ -146,3 +146,11 @@ def test_a_profile_that_is_cut_is_the_one_with_fewer_repetitions(drawn):
     np.testing.assert_allclose(cut.angle, few.angle, atol=1e-12)
     np.testing.assert_allclose(cut.rate, few.rate, atol=1e-12)
     assert cut.duration == few.duration
+
+
+def test_a_rotation_that_is_repeated_is_the_one_that_is_made_as_often():
+    once, thrice = (decoupling_profile(CUBE, cartesian_speed=0.25, period=0.002, repetitions=count) for count in (1, 3))
+    again = once.repeat(3)
+    np.testing.assert_allclose(again.angle, thrice.angle, atol=1e-12)
+    np.testing.assert_allclose(again.rate, thrice.rate, atol=1e-12)
+    assert len(again.rests) == 3

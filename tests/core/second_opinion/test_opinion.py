@@ -22,9 +22,10 @@ from core.cell.folder import load_cell
 from core.errors import BadRobot, PlanDisputed
 from core.events import drive
 from core.planning.commanded_path import PlanPart, compute_joint_paths
+from core.planning.confirmation import confirm_plan
 from core.planning.joint_torques import JointTorques, guess_load
 from core.planning.plan import Plan, plan_summary
-from core.planning.search import confirm_plan, plan_stops
+from core.planning.search import plan_stops
 from core.planning.settings import Scope
 from core.planning.stops import Stops
 from core.robot.collision import CollisionModel
