@@ -11,13 +11,12 @@ import typer
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer import print_answer
 from core.cli.log_argument import LogKnowledge, MapOption, SetOption, UrdfOption, are_log, take_log, take_recording
-from core.cli.options import JsonOption, LanguageOption, check_new
+from core.cli.options import JsonOption, LanguageOption, TargetOption, check_new
 from core.cli.terminal import find_wording, messages
 from core.errors import BadInput
 from core.estimation.estimate import Identification
 from core.estimation.identification import identify_recording
 from core.estimation.result import SecondsPart, result_of
-from core.planning.options import TargetOption
 from core.recording.long_recording import read_condensed
 from core.recording.recording import Recording
 from core.requirement.target import CellRequirement, TargetCheck, parse_target

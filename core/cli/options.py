@@ -26,6 +26,14 @@ LanguageOption = Annotated[
     Language, typer.Option("--language", default_factory=find_language, show_default="the terminal's", help="Of the report.")
 ]
 PayloadOption = Annotated[str | None, typer.Option(metavar="NAME", help="A payload that the cell knows. [default: its first]")]
+TargetOption = Annotated[
+    str | None,
+    typer.Option(
+        metavar="TARGET",
+        help="How exactly, half-widths of 95 % intervals: mass=0.1%,com=0.5mm,inertia=1%, or requirement for what the cell's controller "
+        "requires. A run ends as soon as it is reached.",
+    ),
+]
 
 
 def choose_payload(cell: Cell, name: str | None) -> tuple[str, Payload]:

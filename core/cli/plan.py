@@ -7,7 +7,17 @@ import typer
 
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer import write_json
-from core.cli.options import CellArgument, JsonOption, PayloadOption, PlannerName, PlannerOption, SeedOption, check_new, choose_payload
+from core.cli.options import (
+    CellArgument,
+    JsonOption,
+    PayloadOption,
+    PlannerName,
+    PlannerOption,
+    SeedOption,
+    TargetOption,
+    check_new,
+    choose_payload,
+)
 from core.cli.plan_tables import not_excited_lines, opinion_lines, plan_table, torque_lines, wave_lines
 from core.cli.terminal import answers, find_wording, messages
 from core.planning.joint_torques import find_known_load
@@ -19,7 +29,6 @@ from core.planning.options import (
     Purpose,
     PurposeOption,
     SpeedOption,
-    TargetOption,
     scope_of,
     stops_for,
 )

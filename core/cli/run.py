@@ -17,6 +17,7 @@ from core.cli.options import (
     PlannerName,
     PlannerOption,
     SeedOption,
+    TargetOption,
     check_new,
     choose_payload,
 )
@@ -31,7 +32,6 @@ from core.planning.options import (
     Purpose,
     PurposeOption,
     SpeedOption,
-    TargetOption,
     scope_of,
     stops_for,
 )

@@ -59,14 +59,6 @@ PurposeOption = Annotated[
         "are compared with.",
     ),
 ]
-TargetOption = Annotated[
-    str | None,
-    typer.Option(
-        metavar="TARGET",
-        help="How exactly, half-widths of 95 % intervals: mass=0.1%,com=0.5mm,inertia=1%, or requirement for what the cell's controller "
-        "requires. A run ends as soon as it is reached.",
-    ),
-]
 
 
 def scope_of(axes: str, *, holds_only: bool) -> Scope:
