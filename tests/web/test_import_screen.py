@@ -83,7 +83,7 @@ def test_the_payload_is_identified_on_the_page_and_its_report_opened(at: Tablet,
     at.tap(page.locator(".changes summary"))
     page.get_by_label("Unit of the torque").select_option("N mm")
     expect(payload).to_have_count(0, timeout=PATIENCE_MS)
-    expect(page.get_by_role("button", name="Identify", exact=True)).to_be_disabled(timeout=PATIENCE_MS)
+    expect(page.get_by_role("button", name="Identify", exact=True)).to_be_enabled(timeout=PATIENCE_MS)
 
 
 def test_what_cannot_be_told_is_asked_with_the_likely_answer_chosen(at: Tablet, tmp_path: Path) -> None:
