@@ -26,12 +26,13 @@ from core.array import Array
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
+from core.cell.folder import load_cell
 from core.gap.answer import Diagnosis
 from core.gap.diagnosis import examine
 from core.gap.fit_all import one_by_one
 from core.payload.inertia import InertialParameters
 from core.recording.recording import Recording
-from tests.synthetic import GRAVITY, NOISE_STD, Imperfections, Run, payload, record, run_of, wrench_of
+from tests.synthetic import CELLS, GRAVITY, NOISE_STD, Imperfections, Run, payload, record, run_of, wrench_of
 
 PERIOD_S = 0.008
 ZEROS_DEG, TILT_DEG, GAIN, STAMP_S = 0.01, 0.03, 1e-3, 5e-5
@@ -297,9 +298,6 @@ def record_over_background(stage: Stage, clean: Array, rng: np.random.Generator,
 
 def sorted_payloads(cell: str) -> list[str]:
     """Names, the lightest first."""
-    from core.cell.folder import load_cell  # noqa: PLC0415 - one cell only
-    from tests.synthetic import CELLS  # noqa: PLC0415
-
     known = load_cell(CELLS / cell).payloads
     return sorted(known, key=lambda name: known[name].parameters.mass)
 

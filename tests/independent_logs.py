@@ -53,11 +53,11 @@ class Arm:
 def read_arm(cell: str) -> Arm:
     """The arm of one of our cells, or of any folder with a `robot.urdf`."""
     text = (CELLS / cell / "robot.urdf").read_text(encoding="utf-8")
-    by_child = {str(j.find("child").get("link")): j for j in ET.fromstring(text).iter("joint") if j.find("child") is not None}  # type: ignore[union-attr]
+    by_child = {str(j.find("child").get("link")): j for j in ET.fromstring(text).iter("joint") if j.find("child") is not None}  # type: ignore[union-attr]  # those without are left out
     chain, link = [], SENSOR
     while link != BASE:
         chain.append(by_child[link])
-        link = str(chain[-1].find("parent").get("link"))  # type: ignore[union-attr]
+        link = str(chain[-1].find("parent").get("link"))  # type: ignore[union-attr]  # each joint has one
     origins, axes, names = [], [], []
     for joint in reversed(chain):
         origin, axis = joint.find("origin"), joint.find("axis")

@@ -21,7 +21,7 @@ from core.effects.composition import Term
 from core.effects.joint_error import joint_count, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
-from core.estimation.banded import bands_of, count_bands, factorise, whiten
+from core.estimation.banded import bands_of, count_bands, factorise
 from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import Poses
 from core.estimation.noise import WrenchNoise
@@ -199,7 +199,7 @@ class Windows:
 
     def whiten(self, x: Array) -> Array:
         """Rows (6, K, n) with unit noise from windowed wrenches (K, 6, n)."""
-        return np.stack([whiten(factor, np.ascontiguousarray(x[:, c])) for c, factor in enumerate(self._factors)])
+        return np.ascontiguousarray(self.whiten_windowed(x.transpose(2, 0, 1)).transpose(1, 2, 0))
 
     def unwhiten(self, rows: Array) -> Array:
         """(K, 6), N and N m, of rows (6, K)."""

@@ -25,7 +25,7 @@ def test_what_was_asked_for_stands_below_the_result_with_its_sign(tmp_path: Path
     recording, identification, run = case()
     met = hold_against_target(TargetCheck(parse_target(target)), identification.estimate)
     page = tmp_path / "report.html"
-    write_report(page, recording=recording, identification=identification, run=run, target=met, language=language)  # type: ignore[arg-type]
+    write_report(page, recording=recording, identification=identification, run=run, target=met, language=language)  # type: ignore[arg-type]  # one of the two that there are
     assert said in words(page.read_text(encoding="utf-8"))
 
 
