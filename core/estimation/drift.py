@@ -54,7 +54,7 @@ class Drift:
     """What flicker, walk and trend of unit size and jumps of unit variance make of K windows behind a filter.
 
     Args:
-        flicker, walk: (b, K), lower bands of their covariances; the walk's in s.
+        flicker: (2, b, K), lower bands of the covariances of its processes. walk: (b, K), likewise, in s.
         jumps: (b, K), the same of a unit jump at each pause.
         trend: between which instants it is smooth; `shared`: (K, p), its columns.
     """
@@ -67,16 +67,17 @@ class Drift:
     shared: Array
 
     def covariance(self, sizes: Array, channel: int) -> WindowCovariance:
-        """Of a channel of these sizes (3,): variance of each of the flicker's processes, N², rate of the walk, variance of the trend."""
-        flicker, walk, trend = sizes
-        bands = flicker * self.flicker + walk * self.walk + STEP_STD[channel] ** 2 * self.jumps
+        """Of a channel of these sizes (4,): variances of the flicker's processes, N², rate of the walk, variance of the trend."""
+        *flicker, walk, trend = sizes
+        bands = np.tensordot(flicker, self.flicker, 1) + walk * self.walk + STEP_STD[channel] ** 2 * self.jumps
         return WindowCovariance(np.asarray(bands), np.sqrt(trend) * self.shared)
 
     @property
     def parts(self) -> tuple[WindowCovariance, ...]:
         """Of unit size, in their order."""
         nothing, zero = self.shared[:, :0], np.zeros((1, len(self.shared)))
-        return WindowCovariance(self.flicker, nothing), WindowCovariance(self.walk, nothing), WindowCovariance(zero, self.shared)
+        banded = (WindowCovariance(bands, nothing) for bands in (*self.flicker, self.walk))
+        return *banded, WindowCovariance(zero, self.shared)
 
 
 def drift_in(form: WeakForm) -> Drift:
@@ -84,18 +85,19 @@ def drift_in(form: WeakForm) -> Drift:
     trend = Trend(float(form.centres[0]), float(form.centres[-1]))
     if form.static:
         nothing = np.zeros((len(form.gram[0]), len(form)))
-        return Drift(AnnihilatingFilter.identity(len(form)), nothing, nothing, nothing, trend, np.zeros((len(form), trend.orders)))
+        flicker = np.stack([nothing] * len(FLICKER_KNOTS))
+        return Drift(AnnihilatingFilter.identity(len(form)), flicker, nothing, nothing, trend, np.zeros((len(form), trend.orders)))
     knots = np.rint((form.centres - form.centres[0]) / form.spacing)
     filtering = AnnihilatingFilter.of(knots, FLICKER_KNOTS)
     count, seen = BAND + filtering.reach, BAND + 2 * filtering.reach
     lags = _lags(knots, seen)
     walk = filtering.covariance(-0.5 * form.spacing * variogram_of_walk(lags), count)
     walk[:, 0] = 0.0
-    flicker = sum(filtering.covariance(covariance_of_exponential(lags, each), count) for each in FLICKER_KNOTS)
+    flicker = np.stack([filtering.covariance(covariance_of_exponential(lags, each), count) for each in FLICKER_KNOTS])
     starts = form.poses.t[1:][np.diff(form.poses.t) > PAUSE_S]
     part = np.searchsorted(starts, form.centres)
     jumps = _jumps_in(filtering, np.flatnonzero(np.diff(part, prepend=0)), count)
-    return Drift(filtering, np.asarray(flicker), walk, jumps, trend, filtering.apply(trend.columns(form.centres)))
+    return Drift(filtering, flicker, walk, jumps, trend, filtering.apply(trend.columns(form.centres)))
 
 
 def _lags(knots: Array, count: int) -> Array:
@@ -135,11 +137,11 @@ def covariance_of_exponential(lag: Array, time_constant: float) -> Array:
     return np.asarray(near * np.exp(-np.maximum(n - 4.0, 0.0) / time_constant))
 
 
-def flicker_between_means(length: float, spacing: float) -> float:
-    """Variance of the difference of two neighbouring means over `length` s each of unit flicker, for knots that are `spacing` s apart."""
+def flicker_between_means(length: float, spacing: float) -> Array:
+    """(2,), variance of the difference of two neighbouring means over `length` s each of unit flicker, for knots `spacing` s apart."""
     a = length / spacing / np.array(FLICKER_KNOTS)
     fallen = 1.0 - np.exp(-a)
-    return float(np.sum(2.0 * (2.0 * (a - fallen) - fallen**2) / a**2))
+    return np.asarray(2.0 * (2.0 * (a - fallen) - fallen**2) / a**2)
 
 
 def begin_search(form: WeakForm, noise: WrenchNoise) -> VarianceSearch:
@@ -150,9 +152,13 @@ def begin_search(form: WeakForm, noise: WrenchNoise) -> VarianceSearch:
     """
     variance = noise.std**2
     within = noise.seen_s * noise.fastest_walk * 2.0 / 3.0
-    most_flicker = within / flicker_between_means(noise.seen_s, form.spacing) if not form.static else np.zeros(6)
-    first = np.column_stack((noise.variance, *np.multiply.outer(np.square([FIRST_FLICKER, FIRST_WALK, FIRST_TREND]), variance)))
-    least = np.column_stack((variance, *np.multiply.outer(np.square([LEAST_FLICKER, LEAST_WALK, LEAST_TREND]), variance)))
+    most_flicker = np.zeros((6, len(FLICKER_KNOTS)))
+    if not form.static:
+        most_flicker = within[:, None] / flicker_between_means(noise.seen_s, form.spacing)
+    first_sizes = np.square([*[FIRST_FLICKER] * len(FLICKER_KNOTS), FIRST_WALK, FIRST_TREND])
+    least_sizes = np.square([*[LEAST_FLICKER] * len(FLICKER_KNOTS), LEAST_WALK, LEAST_TREND])
+    first = np.column_stack((noise.variance, *np.multiply.outer(first_sizes, variance)))
+    least = np.column_stack((variance, *np.multiply.outer(least_sizes, variance)))
     return VarianceSearch(first, least, np.column_stack((noise.variance, most_flicker, noise.fastest_walk, (MOST_TREND * STEP_STD) ** 2)))
 
 
@@ -160,17 +166,17 @@ def variance_between(flicker: Array, walk: Array, noise: Array, t: Array, seen: 
     """(N, 6), variance of all but the trend at times t (N,) about a straight line between the nearest times at which it was seen (K,).
 
     Args:
-        flicker, walk: (6,), variance of each process and rate. noise: (6,), spectral density of the white noise that they were seen
-            through, N² s: a level that walks is known to `sqrt(rate noise)` where the data end (Kalman's filter at rest).
+        flicker: (6, 2), variances of its processes. walk: (6,), rate. noise: (6,), spectral density of the white noise that they were
+            seen through, N² s: a level that walks is known to `sqrt(rate noise)` where the data end (Kalman's filter at rest).
         spacing: s, of the knots.
     """
     after = np.searchsorted(seen, t)
     since = np.where(after > 0, t - seen[np.maximum(after - 1, 0)], np.inf)
     until = np.where(after < len(seen), seen[np.minimum(after, len(seen) - 1)] - t, np.inf)
     near, far = np.minimum(since, until), np.maximum(since, until)
-    forgotten = sum(1.0 - np.exp(-2.0 * near / (spacing * each)) for each in FLICKER_KNOTS)
+    forgotten = 1.0 - np.exp(-2.0 * np.divide.outer(near, spacing * np.array(FLICKER_KNOTS)))
     walked = np.multiply.outer(near / (1.0 + near / far), walk) + np.sqrt(walk * noise)
-    return np.asarray(walked + np.multiply.outer(np.asarray(forgotten), flicker))
+    return np.asarray(walked + forgotten @ flicker.T)
 
 
 @dataclass(frozen=True)
@@ -189,7 +195,7 @@ def level_offsets(x: Array, covariance: Array, channels: Sequence[Channel], drif
 
     Args:
         x, covariance: (m,) and (m, m), of all unknowns, of which the rows `offset` are the six offsets.
-        sizes: (6, 3), flicker, walk and trend.
+        sizes: (6, 4), flicker, walk and trend.
     """
     count, orders = drift.shared.shape
     to_mean, added, x = np.eye(len(x)), np.zeros(len(x)), x.copy()
@@ -210,9 +216,9 @@ def level_offsets(x: Array, covariance: Array, channels: Sequence[Channel], drif
         added[at] = mean_left
         along = last @ channel.columns
         spread[c] = np.sqrt(last_left + along @ known @ along)
-        gain = sizes[c, 2] * channel.factor.whiten(drift.shared)
+        gain = sizes[c, -1] * channel.factor.whiten(drift.shared)
         size[c], missed = gain.T @ channel.residual, gain.T @ channel.columns
-        of_size[c] = sizes[c, 2] * np.eye(orders) - gain.T @ gain + missed @ known @ missed.T
+        of_size[c] = sizes[c, -1] * np.eye(orders) - gain.T @ gain + missed @ known @ missed.T
     trend = FoundTrend(drift.trend, size, of_size)
     return Levelled(x, to_mean @ covariance @ to_mean.T + np.diag(added), moved - moved.mean(axis=0), spread, trend)
 

@@ -51,7 +51,7 @@ SHARED = 13
 
 PRIOR_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0), np.full(2, 0.05), [0.02], np.full(6, 1e3)))
 """Of phi, tilt (rad), delay (s), offsets: so wide that they matter only where the data are silent."""
-ITERATIONS = 30
+ITERATIONS = 50
 AT_REST = 0.02
 """Largest change of an unknown, in its standard uncertainty, and of that uncertainty, as a share, of an iteration that has converged."""
 UNDAMPED = 10
@@ -78,7 +78,7 @@ class Fit:
         directions: (10, b), how far phi is off when a nuisance is off by its standard uncertainty and the fit goes on as it did.
         drift: (K, 6), at the windows' centres; `drift_std`: (6,), of its range.
         trend: of the drift, what it does where there are no windows.
-        sizes: (6, 4), of each channel's white noise, N² of a sample, its flicker, N² of each process, its walk, N²/s, and its trend, N².
+        sizes: (6, 5), of each channel's white noise, N² of a sample, the processes of its flicker, N², its walk, N²/s, and its trend, N².
         whitened: (6, K), residuals with unit variance when the model holds.
         scale: (6,), factor on the noise variance that the residuals asked for, 1 where the model holds.
         noise: of one sample.

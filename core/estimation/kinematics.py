@@ -168,17 +168,6 @@ def find_level(columns: Array) -> float:
     return max(float(level), 0.0)
 
 
-def find_twist(poses: Poses) -> Array:
-    """(N, 6), linear and angular velocity of the sensor, its axes, by local cubics; no linear one where no position is known."""
-    R, n = poses.rotation, len(poses.t)
-    twist = np.zeros((n, 6))
-    rate = local_derivative(R.reshape(n, 9), 1, poses.period, window_s=TWIST_S).reshape(R.shape)
-    twist[:, 3:] = axial(np.einsum("nji,njk->nik", R, rate))
-    if poses.position is not None:
-        twist[:, :3] = np.einsum("nji,nj->ni", R, local_derivative(poses.position, 1, poses.period, window_s=TWIST_S))
-    return twist
-
-
 def _median_std(x: Array) -> Array:
     """Standard deviation of noise (N, ...) by the median of its size, which outliers do not move; 0 of nothing."""
     return np.asarray(1.4826 * np.median(np.abs(x), axis=0)) if len(x) else np.zeros(x.shape[1:])

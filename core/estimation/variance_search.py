@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from core.array import Array
 from core.estimation.window_covariance import Factor, WindowCovariance, bands_of_product
 
-LONGEST_STEP = np.log(100.0)
-"""By which the logarithm of a size changes at once."""
+LONGEST_FALL, LONGEST_RISE = np.log(100.0), np.log(5.0)
+"""By which the logarithm of a size changes at once. Where a step rises too far, the payload is taken for noise, and never found again."""
 LEAST = 1e-200
 """Of what is divided by."""
 DAMPING = 1e-3
@@ -55,7 +55,7 @@ class Slope:
         share = self.share[np.ix_(free, free)]
         share[np.diag_indices_from(share)] = np.maximum(np.diag(share) * (1.0 + DAMPING), DAMPING)
         found[free] = np.linalg.solve(share, np.log(self.ratio[free]))
-        return np.clip(found, -LONGEST_STEP, LONGEST_STEP)
+        return np.clip(found, -LONGEST_FALL, LONGEST_RISE)
 
 
 def slope_of(sizes: Array, parts: Sequence[WindowCovariance], channel: Channel, covariance: Array) -> Slope:
@@ -93,11 +93,11 @@ class VarianceSearch:
     def __init__(self, sizes: Array, least: Array, most: Array) -> None:
         self._least, self._most = least, np.maximum(least, most)
         self.sizes = np.clip(sizes, self._least, self._most)
-        self._reach, self._last = np.full(sizes.shape, LONGEST_STEP), np.zeros(sizes.shape)
+        self._reach, self._last = np.full(sizes.shape, LONGEST_FALL), np.zeros(sizes.shape)
 
     def begin(self) -> None:
         """The search goes on in another model: nothing is known of where its maxima lie."""
-        self._reach[:], self._last[:] = LONGEST_STEP, 0.0
+        self._reach[:], self._last[:] = LONGEST_FALL, 0.0
 
     def sought(self, c: int) -> NDArray[np.intp]:
         """Parts of a channel whose size is not known before."""

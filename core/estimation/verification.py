@@ -78,7 +78,7 @@ def prediction(form: WeakForm, found: Fit) -> tuple[Array, Array]:
         others[found.nuisances.mount] = 0.0
     J = np.concatenate((V, features.tilt_columns(found.phi, tilt), late[..., None], constant, beside), axis=2)
     drift, of_trend = found.drift_at(form.centres)
-    white, flicker, walk, _ = found.sizes.T
+    white, flicker, walk = found.sizes[:, 0], found.sizes[:, 1:3], found.sizes[:, 3]
     drifted = of_trend + variance_between(flicker, walk, white * form.poses.period, form.centres, found.centres, form.spacing)
     uncertainty = np.einsum("kci,ij,kcj->kc", J, found.covariance, J, optimize=True) + drifted
     return V @ found.phi + found.x[OFFSET] + drift + beside @ others, uncertainty

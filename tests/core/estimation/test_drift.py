@@ -71,14 +71,14 @@ def test_nothing_of_the_slow_covariances_lies_beyond_the_bands_and_in_a_pause_th
     drift = drift_in(form)
     knots = np.rint((form.centres - form.centres[0]) / form.spacing)
     D, lag = drift.filter.apply(np.eye(len(form))), np.subtract.outer(knots, knots)
-    flicker = sum(covariance_of_exponential(lag, each) for each in FLICKER_KNOTS)
-    np.testing.assert_allclose(dense(drift.flicker), D @ flicker @ D.T, atol=1e-4)
+    for each, bands in zip(FLICKER_KNOTS, drift.flicker, strict=True):
+        np.testing.assert_allclose(dense(bands), D @ covariance_of_exponential(lag, each) @ D.T, atol=1e-4)
     from_first = variogram_of_walk(knots)
     walk = 0.5 * form.spacing * (from_first[:, None] + from_first - variogram_of_walk(lag))
     np.testing.assert_allclose(dense(drift.walk), D @ walk @ D.T, atol=1e-8)
     after = (form.centres > 30.0).astype(float)
     np.testing.assert_allclose(dense(drift.jumps), np.outer(D @ after, D @ after), atol=1e-8)
-    added = drift.covariance(np.zeros(3), 4)
+    added = drift.covariance(np.zeros(4), 4)
     np.testing.assert_allclose(added.bands, STEP_STD[4] ** 2 * drift.jumps)
     assert not added.columns.any()
 
@@ -92,20 +92,21 @@ def test_rows_that_are_poses_do_not_drift() -> None:
 def test_neighbouring_means_of_flicker_differ_as_simulated_ones_do() -> None:
     length, spacing, count = 0.3, 0.025, 1200
     t = np.arange(count) * length / (count // 2)
-    C = sum(np.exp(-np.abs(np.subtract.outer(t, t)) / (spacing * each)) for each in FLICKER_KNOTS)
     weights = np.where(np.arange(count) < count // 2, 1.0, -1.0) / (count // 2)
-    assert flicker_between_means(length, spacing) == pytest.approx(weights @ C @ weights, rel=0.01)
+    for each, found in zip(FLICKER_KNOTS, flicker_between_means(length, spacing), strict=True):
+        C = np.exp(-np.abs(np.subtract.outer(t, t)) / (spacing * each))
+        assert found == pytest.approx(weights @ C @ weights, rel=0.01)
 
 
 def test_the_estimate_its_covariance_and_the_predicted_drift_are_those_of_the_dense_matrices() -> None:
-    rng, sizes, k = np.random.default_rng(9), np.array([0.3, 0.05, 0.7]), np.arange(float(K))
-    filtering = AnnihilatingFilter.of(k, (5.0,))
+    rng, sizes, k = np.random.default_rng(9), np.array([0.3, 0.2, 0.05, 0.7]), np.arange(float(K))
+    filtering = AnnihilatingFilter.of(k, (2.0, 5.0))
     D = filtering.apply(np.eye(K))
-    walk, decay = np.minimum.outer(k, k), np.exp(-np.abs(np.subtract.outer(k, k)) / 5.0)
-    bands = [np.array([np.pad(np.diag(D @ S @ D.T, -d), (0, d)) for d in range(3)]) for S in (decay, walk)]
+    walk, fast, decay = np.minimum.outer(k, k), *(np.exp(-np.abs(np.subtract.outer(k, k)) / each) for each in (2.0, 5.0))
+    bands = np.array([[np.pad(np.diag(D @ S @ D.T, -d), (0, d)) for d in range(4)] for S in (fast, decay, walk)])
     smooth = np.polynomial.legendre.legvander(np.linspace(-1.0, 1.0, K), 4)[:, 1:] * [1.0, 1 / 4, 1 / 9, 1 / 16]
-    drift = Drift(filtering, bands[0], bands[1], np.zeros((3, K)), Trend(0.0, K - 1.0), D @ smooth)
-    slow = sizes[0] * decay + sizes[1] * walk + sizes[2] * smooth @ smooth.T
+    drift = Drift(filtering, bands[:2], bands[2], np.zeros((4, K)), Trend(0.0, K - 1.0), D @ smooth)
+    slow = sizes[0] * fast + sizes[1] * decay + sizes[2] * walk + sizes[3] * smooth @ smooth.T
     C = NOISE**2 * np.eye(K) + slow
     X = np.column_stack((np.sin(0.3 * k), rng.normal(size=K), np.ones(K)))
     y = X @ [2.0, -1.0, 5.0] + np.linalg.cholesky(C) @ rng.normal(size=K)
@@ -113,7 +114,7 @@ def test_the_estimate_its_covariance_and_the_predicted_drift_are_those_of_the_de
     beta = np.linalg.solve(information, X.T @ np.linalg.solve(C, y))
     predicted = slow @ np.linalg.solve(C, y - X @ beta)
     added = drift.covariance(sizes, 0)
-    factor = WindowCovariance(filtering.covariance(NOISE**2 * np.ones((1, K)), 3) + added.bands, added.columns).factorise()
+    factor = WindowCovariance(filtering.covariance(NOISE**2 * np.ones((1, K)), 4) + added.bands, added.columns).factorise()
     w = factor.whiten(filtering.apply(np.column_stack((X, y))))
     covariance = np.linalg.inv(w[:, :-1].T @ w[:, :-1])
     x = covariance @ w[:, :-1].T @ w[:, -1]
@@ -136,9 +137,9 @@ def test_the_estimate_its_covariance_and_the_predicted_drift_are_those_of_the_de
     assert found.covariance[2, 2] == pytest.approx(variance(np.array([0.0, 0.0, 1.0]), mean))
     assert found.drift_std[0] == pytest.approx(np.sqrt(variance(np.zeros(3), ends)))
     # the trend alone: its coefficients given y, and what is not known of them
-    of_trend = sizes[2] * smooth.T @ np.linalg.solve(C, np.eye(K) - X @ gain)
+    of_trend = sizes[3] * smooth.T @ np.linalg.solve(C, np.eye(K) - X @ gain)
     np.testing.assert_allclose(found.trend.coefficients[0], of_trend @ y, atol=1e-8)
-    left = sizes[2] * np.eye(4) - sizes[2] * of_trend @ smooth
+    left = sizes[3] * np.eye(4) - sizes[3] * of_trend @ smooth
     np.testing.assert_allclose(found.trend.covariance[0], left, atol=1e-8)
 
 
@@ -147,10 +148,10 @@ def test_between_two_sights_the_walk_is_a_bridge_and_after_the_last_it_walks_awa
     walks = np.cumsum(np.sqrt(rate * 0.01) * rng.normal(size=(4000, 401)), axis=1)
     line = walks[:, :1] + np.linspace(0.0, 1.0, 401) * (walks[:, -1:] - walks[:, :1])
     t, seen = np.array([1.0, 2.0]), np.array([0.0, 4.0])
-    found = variance_between(none, np.full(6, rate), none, np.append(t, 7.0), seen, 0.025)[:, 0]
+    found = variance_between(np.zeros((6, 2)), np.full(6, rate), none, np.append(t, 7.0), seen, 0.025)[:, 0]
     np.testing.assert_allclose(found[:2], (walks - line)[:, [100, 200]].var(axis=0), rtol=0.1)
     assert found[2] == pytest.approx(3.0 * rate)
-    flicker = variance_between(np.full(6, 0.2), none, none, np.array([0.0, 100.0]), seen, 0.025)[:, 0]
+    flicker = variance_between(np.full((6, 2), 0.2), none, none, np.array([0.0, 100.0]), seen, 0.025)[:, 0]
     np.testing.assert_allclose(flicker, [0.0, 0.4], atol=1e-9)
 
 
@@ -170,7 +171,8 @@ def test_a_walk_of_the_sensor_is_found_with_its_rate_and_the_intervals_scatter_a
         assert found.converged
         np.testing.assert_array_equal(found.scale, 1.0)
         z.append((found.phi - true_phi()) / np.sqrt(np.diag(found.covariance)[:10]))
-        rates.append(found.sizes[:, 2] / rate)
+        # within half a second flicker's slower process walks, too
+        rates.append((found.sizes[:, 3] + 2.0 * found.sizes[:, 2] / (FLICKER_KNOTS[1] * form.spacing)) / rate)
         seen = form.average(walk)
         assert np.abs(found.drift - (seen - seen.mean(axis=0))).max() < 0.5 * np.ptp(seen)
     assert 0.75 < np.sqrt(np.mean(np.square(z))) < 1.3

@@ -99,7 +99,7 @@ def test_a_step_is_bounded() -> None:
     search = VarianceSearch(np.full((3, 1), 1e-3), np.full((3, 1), 1e-8), np.full((3, 1), 0.05))
     for c, (ratio, share) in enumerate(((1e9, 1e-9), (1e-9, 0.5), (1.0, 0.5))):
         search.improve(c, Slope(np.array([ratio]), np.array([[share]])))
-    np.testing.assert_allclose(search.sizes[:, 0], [0.05, 1e-5, 1e-3])
+    np.testing.assert_allclose(search.sizes[:, 0], [5e-3, 1e-5, 1e-3])
 
 
 def test_steps_that_lead_past_the_maximum_and_back_come_to_rest_at_it() -> None:
