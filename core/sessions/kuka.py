@@ -7,24 +7,21 @@ of its messages with one command. The controller itself ends the motion when the
 from __future__ import annotations
 
 from collections import deque
-from types import TracebackType
-from typing import NoReturn, Self
+from typing import NoReturn
 
 import numpy as np
 
 from core.array import Array
 from core.cell.cell import Cell
-from core.errors import BadCell, BadState, ControllerStopped, NotConnected, RobotStateLate, Stopped
+from core.errors import BadCell, BadState, ControllerStopped, NotConnected, RobotStateLate
 from core.plant.braking import braking_positions
-from core.robot.model import RobotModel
-from core.sessions.command_limits import CommandLimits
-from core.sessions.controller import Kinematics
+from core.sessions.controller_session import ControllerSession
 from core.sessions.flange_watch import FlangeWatch
 from core.sessions.kuka_arm import check_arm, flange_of, link_of
 from core.sessions.kuka_line import FriLine
 from core.sessions.kuka_messages import Codec, Quality, Sample, State
 from core.sessions.kuka_readiness import UNBEGUN, check_overlay, check_ready, explain_end
-from core.sessions.session import RobotSession, RobotState
+from core.sessions.session import RobotState
 from core.words.message import Message
 
 LOOK = 2
@@ -40,7 +37,7 @@ BEGIN_S = 30.0
 WAIT, FOLLOW, BRAKE = "wait", "follow", "brake"
 
 
-class KukaSession(RobotSession):
+class KukaSession(ControllerSession):
     """A KUKA LBR, its wrench that of a sensor on a line of its own: until that is put in it is not a number.
 
     `state()` waits for the controller's next message and gives the newest; a message that no command has answered is answered with the
@@ -55,21 +52,15 @@ class KukaSession(RobotSession):
 
     Attributes:
         external_torque: (n,), N m, which the controller does not explain by what it knows of the arm and its load; of the newest message.
-        missed: messages of the controller that were not seen: the loop was late, or the line was.
     """
 
     late_s = 0.5 * STARVED_S
 
     def __init__(self, cell: Cell) -> None:
-        self.cell, self._link = cell, link_of(cell)
+        self._link = link_of(cell)
         if self._link.sensor is None:
             raise BadCell(cell.locate("session.sensor"), "kuka-no-sensor")
-        self.period = 1e-3 * self._link.send_period_ms
-        self._robot = robot = RobotModel.of_cell(cell)
-        self._kinematics = Kinematics(cell, robot)
-        given = cell.robot.velocity_rad_s
-        velocity = robot.velocity if given is None else np.array(given)
-        self._limits = CommandLimits(robot.description.joints, robot.lower, robot.upper, velocity, self.period)
+        super().__init__(cell, 1e-3 * self._link.send_period_ms)
         self._acceleration = np.array(cell.robot.acceleration_rad_s2)
         self._line: FriLine | None = None
         self._sample: Sample | None = None
@@ -77,42 +68,9 @@ class KukaSession(RobotSession):
         self._operation, self._zero_s, self._samples, self._missed_at_begin = 0, 0, 0, 0
         self._mode, self._answered = WAIT, True
         self._braking: deque[Array] = deque()
-        self._q_cmd = self._q_before = np.array(cell.robot.home_rad)
-        self._dq = np.zeros(robot.n)
-        self.external_torque = np.zeros(robot.n)
-        self._external_at_begin = np.zeros(robot.n)
+        self._q_before = self._q_cmd
+        self._dq, self.external_torque, self._external_at_begin = np.zeros((3, self._robot.n))
         self._worst_quality = int(Quality.EXCELLENT)
-        self.missed = 0
-
-    def find_start(self) -> Array:
-        """Where the controller commands the arm to be, (n,), rad; where it does not say (FRI 2 in monitor mode), where the arm stands.
-        Listens, checks, and lets go; nothing is answered, so that the Sunrise application goes on waiting."""
-        try:
-            sample = self._connect()
-            told = sample.ipo if sample.ipo is not None else sample.commanded
-            return sample.q if told is None else told
-        finally:
-            self._let_go()
-
-    def __enter__(self) -> Self:
-        try:
-            self._connect()
-            self._begin()
-        except BaseException:
-            self._let_go()
-            raise
-        return self
-
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None) -> None:
-        """Brakes and lets go: the controller's application notices that no answer comes, and ends its motion."""
-        try:
-            if not isinstance(error, RobotStateLate):
-                self.stop()
-                self._stand()
-        except (BadState, OSError):
-            pass  # the controller has ended the motion, or will in a moment
-        finally:
-            self._let_go()
 
     def state(self) -> RobotState:
         """Waits for the controller's next message.
@@ -141,12 +99,7 @@ class KukaSession(RobotSession):
         self._newest()
         if self._mode == BRAKE:
             raise BadState("session-command-after-stop", value=1.0, limit=0.0)
-        q = np.array(q, dtype=float)
-        try:
-            self._limits.check(q, self._q_cmd)
-        except Stopped:
-            self.stop()
-            raise
+        q = self._check_step(q)
         self._mode, self._q_before, self._q_cmd = FOLLOW, self._q_cmd, q
         self._send(q)
 
@@ -182,8 +135,9 @@ class KukaSession(RobotSession):
             raise RuntimeError("outside of the session; use it inside `with session:`")
         return self._sample
 
-    def _connect(self) -> Sample:
-        """Hears the controller and checks that it is the cell's robot, ready to be moved. Nothing is answered."""
+    def _connect(self) -> Array:
+        """Hears the controller and checks that it is the cell's robot, ready to be moved. Nothing is answered: the Sunrise application
+        goes on waiting. Where the controller does not say where it commands the arm to be (FRI 2 in monitor mode), where the arm stands."""
         link = self._link
         codec = Codec(self.cell.locate("session.driver"))
         try:
@@ -199,9 +153,10 @@ class KukaSession(RobotSession):
         self._mode, self._answered, self._sample = WAIT, False, sample
         self._operation, self._zero_s, self._dq = sample.operation, sample.stamp[0], np.zeros(self._robot.n)
         self._braking.clear()
-        return sample
+        told = sample.ipo if sample.ipo is not None else sample.commanded
+        return sample.q if told is None else told
 
-    def _begin(self) -> None:
+    def _take(self) -> None:
         """Answers until the Sunrise application has begun its motion; the arm stays where it is.
 
         Raises:
@@ -300,6 +255,10 @@ class KukaSession(RobotSession):
         self._mode = BRAKE
         self._braking.clear()
         raise RobotStateLate("kuka-link-lost", value=LINK_S, limit=LINK_S, host=self._link.host) from error
+
+    def _give_back(self) -> None:
+        """The controller's application notices that no answer comes, and ends its motion."""
+        self._stand()
 
     def _stand(self) -> None:
         """Waits until the robot stands, or the controller does not follow any more."""

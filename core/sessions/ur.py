@@ -6,22 +6,19 @@ Heft speaks RTDE itself: a driver has to see every sample, and to stop and say w
 from __future__ import annotations
 
 import time
-from types import TracebackType
-from typing import NoReturn, Self
+from typing import NoReturn
 
 import numpy as np
 
 from core.array import Array
 from core.cell.cell import Cell
 from core.cell.session import UniversalRobot
-from core.errors import BadState, ControllerStopped, NotConnected, RobotStateLate, Stopped, WrongRobot
-from core.robot.model import RobotModel
-from core.sessions.command_limits import CommandLimits
-from core.sessions.controller import Kinematics
+from core.errors import BadState, ControllerStopped, NotConnected, RobotStateLate, WrongRobot
+from core.sessions.controller_session import ControllerSession
 from core.sessions.flange_watch import FlangeWatch
 from core.sessions.rtde import Rtde, RtdeError, Value
 from core.sessions.sensor_sign import SensorSign
-from core.sessions.session import RobotSession, RobotState
+from core.sessions.session import RobotState
 from core.sessions.ur_connection import check_arm, reach
 from core.sessions.ur_controller import PLAYING, Secondary
 from core.sessions.ur_readiness import check_payload_kept, check_ready, check_safety, explain_end, flange_of, payload_set
@@ -56,7 +53,7 @@ OUTPUTS = (
 )  # fmt: skip
 
 
-class UniversalRobotsSession(RobotSession):
+class UniversalRobotsSession(ControllerSession):
     """A Universal Robots e-series arm with its built-in wrist sensor.
 
     `state()` waits for the controller's next sample and gives the newest; a cycle without a command sends the last one
@@ -70,62 +67,24 @@ class UniversalRobotsSession(RobotSession):
         BadCell, BadRobot: the cell does not say enough of it.
     """
 
-    period = PERIOD
     late_s = 0.5 * WATCHDOG_S
 
     def __init__(self, cell: Cell) -> None:
         assert isinstance(cell.session, UniversalRobot)
-        self.cell, self._link = cell, cell.session
-        self._robot = RobotModel.of_cell(cell)
-        self._kinematics = Kinematics(cell, self._robot)
+        super().__init__(cell, PERIOD)
+        self._link = cell.session
         self._flange_watch = FlangeWatch(self._kinematics, self._robot.description.joints)
         assert cell.sensor.mount is not None
         self._mount_rotation, self._mount_position = cell.sensor.mount.rotation, cell.sensor.mount.translation
         self._sign = -1.0 if self._link.wrench_acts_on == "robot" else 1.0
-        given, robot = cell.robot.velocity_rad_s, self._robot
-        velocity = robot.velocity if given is None else np.array(given)
-        self._limits = CommandLimits(robot.description.joints, robot.lower, robot.upper, velocity, PERIOD)
         self._braking = 0.8 * float(np.min(cell.robot.acceleration_rad_s2))
         self._sensor_sign = SensorSign(cell, self._robot)
         self._rtde: Rtde | None = None
         self._sample: dict[str, Value] = {}
         self._payload: tuple[float, ...] = ()
         self._number, self._mode, self._moving = 0, WAIT, False
-        self._q_cmd = np.array(cell.robot.home_rad)
         self._samples, self._sent = 0, False
         self._token = time.time_ns() % 2**30
-        self.missed = 0
-        """Samples of the controller that were not seen: the loop was late, or the line was."""
-
-    def find_start(self) -> Array:
-        """Where the controller commands the arm to be, (n,), rad. Connects, checks, and lets go."""
-        try:
-            self._connect()
-            return self._q_cmd
-        finally:
-            self._let_go()
-
-    def __enter__(self) -> Self:
-        try:
-            self._connect()
-            self._begin()
-            self.missed = 0
-        except BaseException:
-            self._let_go()
-            raise
-        return self
-
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None) -> None:
-        """Brakes, ends the program and lets go; where the line is lost, the controller's watchdog has done it."""
-        try:
-            if not isinstance(error, RobotStateLate):
-                self.stop()
-                self._stand()
-                self._send(END)
-        except (BadState, OSError):
-            pass  # it stands already, or its watchdog stops it
-        finally:
-            self._let_go()
 
     def state(self) -> RobotState:
         """Waits for the controller's next sample.
@@ -159,12 +118,7 @@ class UniversalRobotsSession(RobotSession):
         self._open()
         if self._mode == BRAKE:
             raise BadState("session-command-after-stop", value=1.0, limit=0.0)
-        q = np.array(q, dtype=float)
-        try:
-            self._limits.check(q, self._q_cmd)
-        except Stopped:
-            self.stop()
-            raise
+        q = self._check_step(q)
         if not self._moving and not self._obeys(self._sample):
             # nobody asked for samples for a while, and the watchdog has ended the program of a robot that stood: it goes on there
             self._begin()
@@ -201,8 +155,7 @@ class UniversalRobotsSession(RobotSession):
             raise RuntimeError("outside of the session; use it inside `with session:`")
         return self._rtde
 
-    def _connect(self) -> None:
-        """Reaches the controller and checks that it is the cell's robot, ready to be moved. Nothing moves."""
+    def _connect(self) -> Array:
         host = self._link.host
         reached = reach(host, OUTPUTS, INPUTS, RATE_HZ)
         self._rtde = reached.rtde
@@ -217,6 +170,16 @@ class UniversalRobotsSession(RobotSession):
         check_ready(sample, reached.found, host)
         self._payload = payload_set(sample)
         self._flange_watch = FlangeWatch(self._kinematics, self._robot.description.joints)
+        return self._q_cmd
+
+    def _take(self) -> None:
+        self._begin()
+        self.missed = 0
+
+    def _give_back(self) -> None:
+        """Ends the program; where the line is lost, the controller's watchdog has done it."""
+        self._stand()
+        self._send(END)
 
     def _check_payload(self, sample: dict[str, Value]) -> None:
         limit, payload = self.cell.robot.payload_limit_kg, read_number(sample, "payload")

@@ -8,21 +8,18 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 from contextlib import suppress
-from types import TracebackType
-from typing import NoReturn, Self
+from typing import NoReturn
 
 import numpy as np
 
 from core.array import Array
 from core.cell.cell import Cell
 from core.cell.session import XarmRobot
-from core.errors import BadState, ControllerStopped, NotConnected, RobotStateLate, Stopped
-from core.robot.model import RobotModel
-from core.sessions.command_limits import CommandLimits
-from core.sessions.controller import Kinematics
+from core.errors import BadState, ControllerStopped, NotConnected, RobotStateLate
+from core.sessions.controller_session import ControllerSession
 from core.sessions.flange_watch import FlangeWatch
 from core.sessions.sensor_sign import SensorSign
-from core.sessions.session import RobotSession, RobotState
+from core.sessions.session import RobotState
 from core.sessions.xarm_connection import Reached, check_arm, check_rate, reach
 from core.sessions.xarm_line import GET_ERROR, SERVO, SET_MODE, SET_STATE, Answer, pack_floats
 from core.sessions.xarm_readiness import GO, POSITION, STOPPED, check_obeys, check_ready, explain_error, obeys
@@ -52,7 +49,7 @@ ASK_SETUP = 200
 WAIT, FOLLOW, BRAKE = "wait", "follow", "brake"
 
 
-class XarmSession(RobotSession):
+class XarmSession(ControllerSession):
     """A UFACTORY arm with its six-axis force/torque sensor.
 
     `state()` waits for the controller's next report and gives the newest; in a cycle without a command the last one is sent once more, and
@@ -70,53 +67,14 @@ class XarmSession(RobotSession):
 
     def __init__(self, cell: Cell) -> None:
         assert isinstance(cell.session, XarmRobot)
-        self.cell, self._link = cell, cell.session
-        self.period = 1.0 / self._link.rate_hz
-        self._robot = RobotModel.of_cell(cell)
-        self._kinematics = Kinematics(cell, self._robot)
+        super().__init__(cell, 1.0 / cell.session.rate_hz)
+        self._link = cell.session
         self._sign = -1.0 if self._link.wrench_acts_on == "robot" else 1.0
-        given, robot = cell.robot.velocity_rad_s, self._robot
-        velocity = robot.velocity if given is None else np.array(given)
-        self._limits = CommandLimits(robot.description.joints, robot.lower, robot.upper, velocity, self.period)
         self._most_waiting = max(FEWEST_WAITING, int(LEAP_M / (cell.limits.cartesian_speed_m_s * self.period)))
         self._sensor_sign = SensorSign(cell, self._robot)
         self._reached: Reached | None = None
         self._mode, self._moving, self._sent = WAIT, False, False
-        self._q_cmd = np.array(cell.robot.home_rad)
         self._samples = 0
-        self.missed = 0
-        """Samples of the controller that were not seen: the loop was late, or the line was."""
-
-    def find_start(self) -> Array:
-        """Where the controller commands the arm to be, (n,), rad. Connects, checks, and lets go."""
-        try:
-            self._connect()
-            return self._q_cmd
-        finally:
-            self._let_go()
-
-    def __enter__(self) -> Self:
-        try:
-            self._connect()
-            self._set_up()
-            self._begin()
-            self.missed = 0
-        except BaseException:
-            self._let_go()
-            raise
-        return self
-
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None) -> None:
-        """Brakes, leaves servo motion and lets go; where the line is lost, the arm stands where it was sent last."""
-        try:
-            if not isinstance(error, RobotStateLate):
-                self.stop()
-                self._stand()
-                self._open().control.ask(SET_MODE, bytes([POSITION, 0]))
-        except (BadState, OSError):
-            pass  # it stands already, or will where it was sent last
-        finally:
-            self._let_go()
 
     def state(self) -> RobotState:
         """Waits for the controller's next report.
@@ -155,12 +113,7 @@ class XarmSession(RobotSession):
         reached = self._open()
         if self._mode == BRAKE:
             raise BadState("session-command-after-stop", value=1.0, limit=0.0)
-        q = np.array(q, dtype=float)
-        try:
-            self._limits.check(q, self._q_cmd)
-        except Stopped:
-            self.stop()
-            raise
+        q = self._check_step(q)
         if self._mode == WAIT and not obeys(reached.fast):
             self._begin()
         self._moving = not np.array_equal(q, self._q_cmd)
@@ -191,8 +144,7 @@ class XarmSession(RobotSession):
             raise RuntimeError("outside of the session; use it inside `with session:`")
         return self._reached
 
-    def _connect(self) -> None:
-        """Reaches the controller and checks that it is the cell's robot, ready to be moved. Nothing moves."""
+    def _connect(self) -> Array:
         self._mode, self._moving, self._sent = WAIT, False, False
         reached = self._reached = reach(self.cell)
         self._settings = XarmSettings(reached, sensor=self._link.sensor is None)
@@ -201,6 +153,17 @@ class XarmSession(RobotSession):
         check_rate(self.cell, reached, LINK_S)
         self._q_cmd = reached.fast.target_q
         self._flange_watch = FlangeWatch(self._kinematics, self._robot.description.joints)
+        return self._q_cmd
+
+    def _take(self) -> None:
+        self._set_up()
+        self._begin()
+        self.missed = 0
+
+    def _give_back(self) -> None:
+        """Leaves servo motion; where the line is lost, the arm stands where it was sent last."""
+        self._stand()
+        self._open().control.ask(SET_MODE, bytes([POSITION, 0]))
 
     def _set_up(self) -> None:
         """The sensor is on, and nobody changes the settings from now on.
