@@ -7,11 +7,14 @@ command, so that a computer that is busy with other things shows what driver and
 from __future__ import annotations
 
 import argparse
+import signal
+import subprocess
+import sys
 import threading
 import time
 from collections import Counter
-from collections.abc import Callable, Generator
-from pathlib import Path
+from collections.abc import Callable, Generator, Iterator
+from contextlib import contextmanager
 from random import Random
 from types import TracebackType
 from typing import Any, NamedTuple, Self
@@ -35,12 +38,14 @@ from core.procedure.outcome import Outcome
 from core.sensors.sensor import ForceSensor, Reading
 from core.sensors.sequence import Tally
 from core.sessions.external_sensor import ExternalSensorSession
-from core.sessions.opening import DRIVERS
+from core.sessions.opening import DRIVERS, Simulation, open_robot_session
 from core.sessions.session import RobotSession
 
 CELL = load_cell(find_cell("ur5e_line"))
 LBR_CELL = load_cell(find_cell("lwr4_bench"))
-CARRIED = CELL.payloads["steel_block"]
+CARRIED_NAME = "steel_block"
+CARRIED = CELL.payloads[CARRIED_NAME]
+NOT_SIMULATED = Simulation(None)
 XARM_PORT = 5020
 FRI_CLIENT = "127.76.0.1"
 Server = UrServer | XarmServer | FriServer
@@ -50,13 +55,14 @@ class Robot(NamedTuple):
     """A driver and what stands in for its controller.
 
     Args:
-        host: of the long runs; those of the faults are beside it.
+        host: of the long runs; those of the faults are beside it. fake: arguments of `heft fake`.
         serve: with the seed of the arm, at an address.
         before, during: faults that are there from the start, and those that come while it moves.
     """
 
     title: str
     host: str
+    fake: tuple[str, ...]
     link: type[RealRobot]
     said: dict[str, Any]
     serve: Callable[[int, str, float | None], Server]
@@ -128,43 +134,68 @@ def open_session(cell: Cell, server: Server) -> RobotSession:
     return ExternalSensorSession(session, ArmSensor(server.arm, clock), clock=clock)
 
 
-def run_procedure(cell: Cell, server: Server, out: Path | None = None) -> Generator[Event, None, Outcome]:
-    session = open_session(cell, server)
+def run_procedure(cell: Cell) -> Generator[Event, None, Outcome]:
+    session = open_robot_session(cell, NOT_SIMULATED)
     start = session.find_start()
-    return identify(cell, session, CARRIED.box, payload="steel_block", reference=CARRIED, start=start, clock_waits=False, out=out)
+    return identify(cell, session, CARRIED.box, payload=CARRIED_NAME, reference=CARRIED, start=start, clock_waits=False)
 
 
 def ignore(_: Event) -> None:
     """Nobody listens."""
 
 
+@contextmanager
+def serving(robot: Robot, patience_s: float | None) -> Iterator[subprocess.Popen[str]]:
+    """The stand-in as a program of its own, as a controller is another computer; ended with what it counted as its last line."""
+    patience = [] if patience_s is None else ["--patience", str(patience_s)]
+    command = [
+        sys.executable,
+        "-m",
+        "core.cli",
+        "fake",
+        *robot.fake,
+        "--host",
+        robot.host,
+        "--payload",
+        "steel_block",
+        "--seed",
+        "1",
+        *patience,
+    ]
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # what a shell ignores in the background the stand-in would ignore, too
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as served:
+        try:
+            assert served.stdout is not None
+            said = served.stdout.readline()
+            if robot.host not in said:
+                raise RuntimeError(said + served.stdout.read())
+            yield served
+        finally:
+            served.send_signal(signal.SIGINT)
+            print("  " + served.communicate()[0].strip(), flush=True)
+
+
 def measure_procedure(robot: Robot, minutes: float, patience_s: float | None) -> None:
     """Procedures one after the other until the time is over."""
-    with robot.serve(1, robot.host, patience_s) as server:
+    cell = robot.cell_at(robot.host)
+    with serving(robot, patience_s):
         began, runs = time.monotonic(), 0
         while not runs or time.monotonic() < began + 60.0 * minutes:
             try:
-                outcome = drive(run_procedure(robot.cell_at(robot.host), server), ignore)
+                outcome = drive(run_procedure(cell), ignore)
             except HeftError as error:
                 print(f"  ended: {type(error).__name__}: {error}")
                 break
             runs += 1
             estimate = outcome.identification.estimate
-            mass = np.nan if estimate is None else estimate.phi[0]
+            mass, std = (np.nan, np.nan) if estimate is None else (estimate.phi[0], estimate.std[0])
             known = 0 if estimate is None else int(np.isfinite(estimate.phi).sum())
             print(
-                f"  procedure {runs}: {outcome.robot_s:.0f} s of motion, mass {mass:.4f} kg (true {CARRIED.mass_kg} kg), "
-                f"{known} of 10 parameters determined",
+                f"  procedure {runs}: {outcome.robot_s:.0f} s of motion, mass {mass:.4f} ± {1.96 * std:.4f} kg "
+                f"(true {CARRIED.mass_kg} kg), {known} of 10 parameters determined",
                 flush=True,
             )
-        arm = server.arm
-        latency = 1e3 * np.array(server.latencies_s or [np.nan])
-        print(
-            f"  {runs} procedures in {(time.monotonic() - began) / 60.0:.1f} min at {1 / server.period:.0f} Hz: {arm.missed} of "
-            f"{arm.periods_followed} periods without a new command, by the server's count; {server.late_periods} periods began late on "
-            f"this computer\n  latency from sample to command: median {np.median(latency):.2f} ms, 99.9 % {np.quantile(latency, 0.999):.2f}"
-            f" ms, worst {latency.max():.2f} ms"
-        )
+        print(f"  {runs} procedures in {(time.monotonic() - began) / 60.0:.1f} min; the server's count:")
 
 
 def make_lossy(server: Server, _: Random) -> None:
@@ -240,6 +271,7 @@ ROBOTS = {
     "ur": Robot(
         "Universal Robots",
         "127.77.0.1",
+        ("ur", "ur5e_line"),
         UniversalRobot,
         {"driver": "ur_rtde", "model": "UR5e"},
         serve_ur,
@@ -249,6 +281,7 @@ ROBOTS = {
     "xarm": Robot(
         "UFACTORY",
         "127.77.0.2",
+        ("xarm", "ur5e_line", "--port", str(XARM_PORT)),
         XarmRobot,
         {"driver": "xarm", "model": "xArm6", "port": XARM_PORT},
         serve_xarm,
@@ -258,8 +291,9 @@ ROBOTS = {
     "kuka": Robot(
         "KUKA",
         "127.77.0.3",
+        ("kuka", "lwr4_bench", "--client", FRI_CLIENT),
         KukaRobot,
-        {"driver": "kuka_fri", "listen": FRI_CLIENT, "sensor": {"driver": "ati_net_ft", "host": "127.0.0.1"}},
+        {"driver": "kuka_fri", "listen": FRI_CLIENT, "sensor": {"driver": "ati_net_ft", "host": "127.0.0.1", "http_port": 8049}},
         serve_kuka,
         LINE | ANOTHER,
         OUTAGE | {"safety stop": make_kuka_stop, "application ended": end_application, "answers lost": make_deaf},

@@ -137,7 +137,11 @@ def _wait_for_the_end(server: PacedServer, arm: UrArm | XarmArm | FriArm) -> Non
         while True:
             time.sleep(1.0)
     except KeyboardInterrupt:
-        said = find_wording().say("cli-fake-served", followed=arm.periods_followed, missed=arm.missed, late=server.late_periods)
+        wording = find_wording()
+        said = wording.say("cli-fake-served", followed=arm.periods_followed, missed=arm.missed, late=server.late_periods)
+        if server.latencies_s:
+            median, most, worst = (f"{1e3 * each:.2f}" for each in np.quantile(server.latencies_s, [0.5, 0.999, 1.0]))
+            said += " " + wording.say("cli-fake-latency", median=median, most=most, worst=worst)
         messages.print(said, soft_wrap=True)
 
 

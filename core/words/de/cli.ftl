@@ -39,6 +39,7 @@ cli-fake-serves = ein { $model } (Seriennummer { $serial }) an { $host }; Strg-C
 cli-fake-serves-ati = Eine ATI-Net-F/T-Box an seinem Flansch auf 127.0.0.1: RDT an Port { $rdt }, Seiten an Port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages })
 cli-fake-serves-ati-alone = eine ATI-Net-F/T-Box auf 127.0.0.1, die die Last ruhig hält: RDT an Port { $rdt }, Seiten an Port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages }); Strg-C beendet sie.
 cli-fake-served = { $followed } Perioden unter Befehl, { $missed } davon ohne neuen Befehl; { $late } Perioden begannen auf diesem Rechner zu spät.
+cli-fake-latency = Vom Bericht zum Befehl: { $median } ms im Median, { $most } ms in 99,9 %, höchstens { $worst } ms.
 cli-from-beside-robot =
     .found = ein Anfang neben dem Treiber '{ $driver }'
     .expected = keine solche Angabe: ein wirklicher Roboter sagt selbst, wo er steht, und dort beginnt der Plan

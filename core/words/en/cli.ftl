@@ -40,6 +40,7 @@ cli-fake-serves = a { $model } (serial number { $serial }) at { $host }; Ctrl-C 
 cli-fake-serves-ati = An ATI Net F/T box on its flange at 127.0.0.1: RDT on port { $rdt }, pages on port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages })
 cli-fake-serves-ati-alone = an ATI Net F/T box at 127.0.0.1 that holds the payload still: RDT on port { $rdt }, pages on port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages }); Ctrl-C ends it.
 cli-fake-served = { $followed } periods under command, { $missed } of them without a new command; { $late } periods began late on this computer.
+cli-fake-latency = From report to command: { $median } ms in the median, { $most } ms in 99.9 %, { $worst } ms at most.
 cli-from-beside-robot =
     .found = a start beside the driver '{ $driver }'
     .expected = no such option: a real robot says itself where it stands, and the plan begins there
