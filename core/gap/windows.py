@@ -13,7 +13,6 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import BSpline
 from scipy.sparse import csr_array
 
 from core.array import Array
@@ -26,6 +25,7 @@ from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import Poses
 from core.estimation.noise import WrenchNoise
 from core.estimation.segments import Segment, stretches
+from core.estimation.splines import cardinal
 from core.estimation.weak_form import STEP_S, tilt_axes
 from core.gap.whitener import Whitener
 from core.payload.inertia import Motion, spatial_inertia
@@ -321,14 +321,13 @@ def window_centres(t: Array, step: float) -> Array:
 
 def window_matrix(centres: Array, step: float, t: Array) -> csr_array:
     """(K, N): cubic B-spline windows over times t (N,), each summing to 1."""
-    spline = BSpline.basis_element(np.arange(-2.0, 3.0), extrapolate=False)
     period = float(np.median(np.diff(t)))
     reach = int(np.ceil(2.0 * step / period)) + 1
     nearest = np.clip(np.searchsorted(t, centres), 0, len(t) - 1)
     columns = nearest[:, None] + np.arange(-reach, reach + 1)
     inside = (columns >= 0) & (columns < len(t))
     columns = np.clip(columns, 0, len(t) - 1)
-    weights = np.where(inside, np.nan_to_num(spline((t[columns] - centres[:, None]) / step)), 0.0)
+    weights = np.where(inside, cardinal((t[columns] - centres[:, None]) / step, 3), 0.0)
     weights /= weights.sum(axis=1, keepdims=True)
     rows = np.repeat(np.arange(len(centres)), columns.shape[1])
     return csr_array((weights.ravel(), (rows, columns.ravel())), shape=(len(centres), len(t)))

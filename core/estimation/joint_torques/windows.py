@@ -10,13 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import BSpline
 from scipy.sparse import csr_array
 
 from core.array import Array
 from core.estimation.joint_torques.torque_regressor import TorqueRegressor
 from core.estimation.kinematics import find_jitter, local_derivative
 from core.estimation.local_polynomial import derive
+from core.estimation.splines import cardinal
 from core.estimation.weak_form import second_difference
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
@@ -147,10 +147,6 @@ def _centres(t: Array, period: float, knot_s: float) -> Array:
     return np.asarray(centres[keep])
 
 
-_BUMP = BSpline.basis_element(np.arange(-2.0, 3.0), extrapolate=False)
-_SLOPE = _BUMP.derivative()
-
-
 def _weights(t: Array, centres: Array, knot_s: float, *, derivative: bool = False) -> csr_array:
     """(K, N), weights of samples at t (N,) in the windows about `centres`; or how they change per second that the centre is later."""
     step = np.gradient(t)
@@ -159,9 +155,9 @@ def _weights(t: Array, centres: Array, knot_s: float, *, derivative: bool = Fals
     rows = np.repeat(np.arange(len(centres)), counts)
     columns = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts - first, counts)
     x = (t[columns] - centres[rows]) / knot_s
-    bump = np.nan_to_num(_BUMP(x)) * step[columns]
+    bump = cardinal(x, 3) * step[columns]
     total = np.bincount(rows, bump, minlength=len(centres))[rows]
-    values = -np.nan_to_num(_SLOPE(x)) / knot_s * step[columns] if derivative else bump
+    values = (cardinal(x - 0.5, 2) - cardinal(x + 0.5, 2)) / knot_s * step[columns] if derivative else bump
     return csr_array((values / total, (rows, columns)), shape=(len(centres), len(t)))
 
 
