@@ -15,15 +15,15 @@ those of `core.estimation.nuisances`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array
-from core.estimation.budget import Budget, Source
 from core.estimation.determination import SIZE_M, find_determined
 from core.estimation.drift import Levelled, begin_search, drift_in, level_offsets
+from core.estimation.fit import DELAY, OFFSET, SHARED, TILT, Fit
 from core.estimation.noise import WrenchNoise, find_noise_factor
 from core.estimation.noisy_columns import NoiseOfColumns, Solution, compensate
 from core.estimation.nuisances import (
@@ -35,19 +35,13 @@ from core.estimation.nuisances import (
     find_evidence,
     improve_strength,
 )
-from core.estimation.trend import FoundTrend
 from core.estimation.variance_search import Channel, slope_of
 from core.estimation.weak_form import WeakForm
 from core.estimation.window_covariance import WindowCovariance
 from core.payload.inertia import InertialParameters, spatial_inertia
 
-TILT = slice(10, 12)
-DELAY = 12
-OFFSET = slice(13, 19)
 LEAST_SENSOR_SHARE = 5e-7
 """Of the sensor's noise in a window, beside that of the poses."""
-SHARED = 13
-"""phi, tilt and delay; then come offsets and nuisances."""
 
 PRIOR_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0), np.full(2, 0.05), [0.02], np.full(6, 1e3)))
 """Of phi, tilt (rad), delay (s), offsets: so wide that they matter only where the data are silent."""
@@ -65,66 +59,6 @@ STRENGTH_AT_REST = 1e-3
 """Share by which a strength may still change."""
 LARGEST_DELAY_S = 0.05
 LARGEST_TILT_RAD = 0.3
-
-
-@dataclass(frozen=True)
-class Fit:
-    """Result of the least squares, before anything is judged.
-
-    Args:
-        x: (19 + b,), `[phi, tilt, delay, offset]`, then the nuisances in units of their standard uncertainty.
-        covariance: (19 + b, 19 + b), with drift marginalised and each nuisance as uncertain as its strength says.
-        repeatability: (10, 10), covariance of phi with the nuisances as they are.
-        directions: (10, b), how far phi is off when a nuisance is off by its standard uncertainty and the fit goes on as it did.
-        drift: (K, 6), at the windows' centres; `drift_std`: (6,), of its range.
-        trend: of the drift, what it does where there are no windows.
-        sizes: (6, 5), of each channel's white noise, N² of a sample, the processes of its flicker, N², its walk, N²/s, and its trend, N².
-        whitened: (6, K), residuals with unit variance when the model holds.
-        scale: (6,), factor on the noise variance that the residuals asked for, 1 where the model holds.
-        noise: of one sample.
-        nuisances: that were fitted; None where nothing was.
-        strength: (b,), variance of each nuisance that the data ask for, 1 for what is stated.
-        converged: whether the iteration came to rest, and not at a bound.
-    """
-
-    x: Array
-    covariance: Array
-    repeatability: Array
-    directions: Array
-    centres: Array
-    drift: Array
-    drift_std: Array
-    trend: FoundTrend
-    sizes: Array
-    whitened: Array
-    scale: Array
-    noise: WrenchNoise
-    nuisances: Nuisances | None = None
-    strength: Array = field(default_factory=lambda: np.zeros(0))
-    converged: bool = True
-
-    @property
-    def phi(self) -> Array:
-        """(10,)."""
-        return self.x[:10]
-
-    @property
-    def b(self) -> Array:
-        """(b,), nuisances in units of their standard uncertainty."""
-        return self.x[OFFSET.stop :]
-
-    def drift_at(self, t: Array) -> tuple[Array, Array]:
-        """(N, 6) at times t (N,), and the variance (N, 6) that its trend has where there are no windows near."""
-        lines = np.column_stack([np.interp(t, self.centres, each) for each in self.drift.T])
-        bent, variance = self.trend.between(t, self.centres)
-        return lines + bent, variance
-
-    @property
-    def budget(self) -> Budget:
-        """Of phi, with all nuisances as uncertain as they are stated to be, whatever their strength in the fit."""
-        groups = () if self.nuisances is None else self.nuisances.groups
-        sources = (Source(group.name, group.stated, self.directions[:, group.rows]) for group in groups)
-        return Budget(self.repeatability, tuple(sources))
 
 
 def fit(form: WeakForm, wrench: Array, noise: WrenchNoise, nuisances: Nuisances | None = None) -> Fit:

@@ -13,7 +13,8 @@ from core.array import Array
 from core.estimation.consistency import NO_SUCH_BODY, distance_from_bodies, nearest_consistent
 from core.estimation.determination import find_determined, reasons
 from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
-from core.estimation.generalised_least_squares import DELAY, OFFSET, PRIOR_STD, TILT
+from core.estimation.fit import DELAY, OFFSET, TILT
+from core.estimation.generalised_least_squares import PRIOR_STD
 from core.estimation.kinematic_filter import ALPHA_VARIANCE, filter_motion, find_pose_noise, steady_std
 from core.estimation.kinematics import Poses, poses_of, smooth_motion
 from core.estimation.lateness import advance_wrench, find_lateness

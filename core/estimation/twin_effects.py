@@ -14,7 +14,8 @@ from core.array import Array
 from core.effects.scene import Scene
 from core.estimation.budget import Budget, Source
 from core.estimation.estimate import TwinShare
-from core.estimation.generalised_least_squares import OFFSET, Fit, fit, refit
+from core.estimation.fit import OFFSET, Fit
+from core.estimation.generalised_least_squares import fit, refit
 from core.estimation.kinematics import Poses, smooth_motion
 from core.estimation.noise import WrenchNoise
 from core.estimation.nuisances import Nuisances

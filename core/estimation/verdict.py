@@ -9,7 +9,7 @@ import numpy as np
 from core.array import Array
 from core.estimation.determination import explain_not_excited
 from core.estimation.estimate import Estimate
-from core.estimation.generalised_least_squares import Fit
+from core.estimation.fit import Fit
 from core.payload.channels import CHANNELS
 from core.payload.inertia import PHI_NAMES
 from core.recording.recording import Recording

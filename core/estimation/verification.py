@@ -9,7 +9,8 @@ import numpy as np
 from core.array import Array
 from core.estimation.drift import variance_between
 from core.estimation.estimate import Verification
-from core.estimation.generalised_least_squares import DELAY, OFFSET, TILT, Fit, fit_like
+from core.estimation.fit import DELAY, OFFSET, TILT, Fit
+from core.estimation.generalised_least_squares import fit_like
 from core.estimation.kinematics import Poses
 from core.estimation.nuisances import NuisanceColumns
 from core.estimation.segments import Segment
