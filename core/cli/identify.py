@@ -14,17 +14,15 @@ from core.cli.log_argument import LogKnowledge, MapOption, SetOption, UrdfOption
 from core.cli.options import JsonOption, LanguageOption, TargetOption, check_new
 from core.cli.terminal import find_wording, messages
 from core.errors import BadInput
-from core.estimation.estimate import Identification
 from core.estimation.identification import identify_recording
 from core.estimation.result import SecondsPart, result_of
 from core.recording.long_recording import read_condensed
-from core.recording.recording import Recording
 from core.requirement.target import CellRequirement, TargetCheck, parse_target
 from core.requirement.target_answer import hold_against_target
 from core.requirement.verdict import judge_estimate
 from core.robot.model import RobotModel
 from core.twin.file import read_twin
-from core.twin.twin import NOMINAL, Twin
+from core.twin.twin import NOMINAL
 
 app = typer.Typer()
 
@@ -67,7 +65,7 @@ def identify_command(
     empty, of_empty = (None, ()) if without is None else read_condensed(without)
     began = time.perf_counter()
     with messages.status(find_wording().say("cli-estimating")) if messages.is_terminal else nullcontext():
-        identification = _identify(loaded, empty, twin)
+        identification = identify_recording(loaded, twin, empty)
     identification = replace(identification, warnings=(*identification.warnings, *remarks, *of_empty))
     seconds = SecondsPart(robot=float(loaded.t[-1] - loaded.t[0]), estimate=time.perf_counter() - began)
     robot = None if made_in is None else RobotModel.of_cell(made_in)
@@ -79,11 +77,3 @@ def identify_command(
 
         write_report(report, recording=loaded, identification=identification, requirement=enough, target=met, language=language)
     print_answer(result_of(identification, loaded, seconds=seconds, requirement=enough, target=met, folder=recording[0]), json)
-
-
-def _identify(loaded: Recording, empty: Recording | None, twin: Twin) -> Identification:
-    if empty is None:
-        return identify_recording(loaded, twin)
-    from core.estimation.joint_torques.identification import identify_by_torques  # noqa: PLC0415  as in `identify_recording`
-
-    return identify_by_torques(loaded, empty)

@@ -136,7 +136,7 @@ def _tabulate(made: ImportedLog, words: Wording) -> Table:
     table = Table(title=words.say("import-title"), show_header=False)
     rows = (
         *_describe_rows(conversion, words),
-        *_describe_wrench(mapping.wrench, words),
+        *(() if mapping.wrench is None else _describe_wrench(mapping.wrench, words)),
         *_describe_motion(mapping, words),
         *_describe_clocks(made, words),
         *_describe_payload(made, words),
@@ -149,7 +149,7 @@ def _tabulate(made: ImportedLog, words: Wording) -> Table:
 def _describe_rows(conversion: Conversion, words: Wording) -> Iterator[tuple[str, str]]:
     t = conversion.t
     rate_hz, lasts_s = 1.0 / float(np.median(np.diff(t))), float(t[-1])
-    code = "import-poses-kept" if conversion.mapping.wrench.time is None else "import-rows-kept"
+    code = "import-poses-kept" if conversion.mapping.rows.time is None else "import-rows-kept"
     yield words.say("import-rows"), words.say(code, kept=len(t), read=conversion.read, rate_hz=rate_hz, lasts_s=lasts_s)
     if conversion.repeated or conversion.outside:
         yield "", words.say("import-rows-left-out", repeated=conversion.repeated, outside=conversion.outside)
@@ -171,6 +171,8 @@ def _describe_motion(mapping: Mapping, words: Wording) -> Iterator[tuple[str, st
     joints, pose = mapping.joints, mapping.pose
     if joints is not None:
         yield words.say("import-joints"), f"{_name(joints.position)} [{joints.angle_unit}]; {_clock(joints)}"
+        if joints.torque is not None:
+            yield words.say("import-joint-torques"), f"{_name(joints.torque)} [N m]"
         yield words.say("import-frames"), f"{joints.base_frame} → {joints.sensor_frame}"
     elif pose is not None:
         (way,) = pose.rotations

@@ -46,25 +46,29 @@ KNOWN_SHARE = 0.5
 """A tilt or delay whose uncertainty is above this share of its prior is not reported."""
 
 
-def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identification:
-    """Identifies the payload of one recording.
+def identify_recording(recording: Recording, twin: Twin = NOMINAL, without: Recording | None = None) -> Identification:
+    """Identifies the payload of one recording, or from the joints' torques in two.
 
     What the recording lacks limits what is said, and is said; it is no error.
 
     Args:
         recording: only read.
         twin: of the cell; what its effects do to the wrench is accounted for.
+        without: of the same arm without the payload; only read. The joints' torques in both tell the payload then, and no wrench.
+
+    Raises:
+        BadRecording: `without` cannot be compared with.
     """
     # the matrices are narrow: threads spend more time waiting for each other than they save
     with threadpool_limits(1, user_api="blas"):
-        return _identify(recording, twin)
+        return _identify(recording, twin, without)
 
 
-def _identify(recording: Recording, twin: Twin) -> Identification:
-    if recording.wrench is None:
+def _identify(recording: Recording, twin: Twin, without: Recording | None) -> Identification:
+    if recording.wrench is None or without is not None:
         from core.estimation.joint_torques.identification import identify_by_torques  # noqa: PLC0415  loads an optimiser
 
-        return identify_by_torques(recording)
+        return identify_by_torques(recording, without)
 
     def identify(taken: Recording) -> Identification:
         return _identify_by_wrench(taken, np.asarray(taken.wrench), twin)

@@ -153,6 +153,21 @@ def check_same_robot(first: Recording, robot: RobotDescription | None, gravity: 
         raise BadRecording(where, "recording-other-gravity", gravity_m_s2=gravity.tolist(), before_m_s2=first.gravity.tolist())
 
 
+def check_arm_alone(empty: Recording, robot: RobotDescription | None, gravity: Array) -> None:
+    """A recording without payload can be compared, joint by joint, with such a robot's that carries one; gravity (3,) in its base frame.
+
+    Raises:
+        BadRecording: another robot, another direction of gravity, or no torques in it.
+    """
+    where = Message.of("torques-of-empty")
+    if empty.robot != robot:
+        raise BadRecording(where, "recording-other-robot")
+    if not np.allclose(empty.gravity, gravity, atol=1e-6):
+        raise BadRecording(where, "recording-other-gravity", gravity_m_s2=empty.gravity.tolist(), before_m_s2=gravity.tolist())
+    if empty.tau is None or empty.q is None:
+        raise BadRecording(where, "torques-none-in-empty")
+
+
 def append_recording(first: Recording, then: Recording) -> Recording:
     """Both as one recording with a gap in time; columns that one of them lacks are left out.
 

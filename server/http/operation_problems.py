@@ -84,7 +84,8 @@ REFUSALS: dict[str, tuple[str, ...]] = {
     "DELETE /api/control/{cell}/request": CELL,
     "POST /api/runs": (
         *CELL, "runs-cell-without-payload", "runs-payload-unknown", "library-mass-range", "runs-speed-not-allowed",
-        "runs-start-of-other-robot", *REPEATED,
+        "runs-start-of-other-robot", *RUN, "runs-not-empty", "runs-not-together",
+        "runs-no-recording", *REPEATED,
     ),
     "GET /api/runs/{run}": RUN,
     "DELETE /api/runs/{run}": (*RUN, *STATE),
@@ -138,7 +139,8 @@ REFUSALS: dict[str, tuple[str, ...]] = {
     "GET /api/imports/{log_import}/mapping": UNREAD,
     "GET /api/imports/{log_import}/recording": UNREAD,
     "POST /api/imports/{log_import}/identification": (
-        *UNREAD, *CELL, "imports-busy", "jobs-upload-of-other-cell", "jobs-upload-of-other-robot", "jobs-work-lost",
+        *UNREAD, *CELL, "imports-busy", "imports-without-itself", "jobs-upload-of-other-cell", "jobs-upload-of-other-robot",
+        "jobs-work-lost",
     ),
     "GET /api/imports/{log_import}/result": (*IMPORT, "imports-not-identified"),
     "GET /api/imports/{log_import}/report": (*IMPORT, "imports-not-identified"),

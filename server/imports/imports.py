@@ -46,6 +46,8 @@ class LogImport(DraftFolder):
     """How far it is understood; None before it was read, or when a file has come or gone since."""
     identified: Result | None = None
     """What its payload is; None before somebody asked, or when it was read anew since."""
+    without: tuple[str, ...] = ()
+    """Files of the log without the payload that it was compared with for that; none where it stood alone."""
 
     @property
     def logs(self) -> Path:
@@ -74,6 +76,7 @@ class LogImport(DraftFolder):
     def forget_reading(self) -> None:
         """What was read no longer holds."""
         self.reading = self.identified = None
+        self.without = ()
         for name in (RECORDING, WORK):
             shutil.rmtree(self.folder / name, ignore_errors=True)
         for language in LANGUAGES:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import AsyncIterator
+from contextlib import nullcontext
 from datetime import datetime
 from typing import Annotated
 
@@ -61,6 +62,10 @@ class ImportPublic(Answer):
     identified: IdentificationPublic | None = Field(
         description="The payload with its uncertainties; null before it was identified, or when the log was read anew since."
     )
+    without: list[str] = Field(
+        description="Files of the log without the payload that it was compared with for that; none where it was identified alone.",
+        examples=[["arm alone.csv"]],
+    )
     expires_at: datetime = Field(description="When it is gone unless somebody asks for it.", examples=["2026-03-01T10:00:00Z"])
 
 
@@ -77,6 +82,17 @@ class LogReadingUpdate(RequestBody):
         max_length=40,
         description="Keys of the mapping (docs/import.md) with their values: answers, and what was taken wrongly.",
         examples=[{"wrench.sign": "-1"}],
+    )
+
+
+class LogIdentificationCreate(RequestBody):
+    """What the payload is to be identified from beside the log itself."""
+
+    without: Annotated[str, StringConstraints(max_length=80)] | None = Field(
+        default=None,
+        description="Identifier of the import of a log of the same arm without the payload: it is identified from the joint torques "
+        "in both, as by `heft identify --without`; null for the log alone.",
+        examples=["5df6e0e2761359d30a8275058e299fcc"],
     )
 
 
@@ -176,14 +192,21 @@ def download_imported_recording(found: ImportDep, now: NowDep) -> Response:
 
 
 @router.post("/{log_import}/identification")
-def identify_imported_log(found: ImportDep, imports: ImportsDep, cells: CellsDep, now: NowDep) -> ImportPublic:
-    """Identifies the payload from the recording that was made of it, as `heft identify` does; it stays until it is diagnosed or deleted."""
-    with found.working():
-        check_understood(found)
+def identify_imported_log(
+    found: ImportDep, imports: ImportsDep, cells: CellsDep, now: NowDep, body: LogIdentificationCreate | None = None
+) -> ImportPublic:
+    """Identifies the payload from the recording that was made of it, as `heft identify` does, alone or beside one of the same arm without
+    the payload; both stay until they are diagnosed or deleted."""
+    empty = None if body is None or body.without is None else imports.find(body.without, now)
+    if empty is found:
+        raise Conflict("imports-without-itself", log_import=found.id)
+    with found.working(), nullcontext() if empty is None else empty.working():
+        for each in (found, *(() if empty is None else (empty,))):
+            check_understood(each)
         cell = None if found.cell is None else cells.load(found.cell)
         if cell is not None:
             check_made_in(found.recording, cell)
-        identify_import(found, cell)
+        identify_import(found, cell, empty)
     return _answer(found, imports, now)
 
 
@@ -242,5 +265,6 @@ def _answer(found: LogImport, imports: ImportsDep, now: datetime) -> ImportPubli
         progress=found.progress,
         reading=found.reading,
         identified=None if found.identified is None else payload_answer(found.identified),
+        without=list(found.without),
         expires_at=now + imports.lasts,
     )

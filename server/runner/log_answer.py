@@ -35,14 +35,15 @@ def describe_log(made: ImportedLog) -> LogUnderstood:
         rows_outside=conversion.outside,
         rate_hz=1.0 / float(np.median(np.diff(conversion.t))),
         lasts_s=float(conversion.t[-1]),
-        force=LogColumns(columns=list(wrench.force), unit=wrench.force_unit),
-        torque=LogColumns(columns=list(wrench.torque), unit=wrench.torque_unit),
-        clock=_clock(wrench),
-        sign=wrench.sign,
-        axes=wrench.axes,
-        is_compensated=wrench.is_compensated,
+        force=None if wrench is None else LogColumns(columns=list(wrench.force), unit=wrench.force_unit),
+        torque=None if wrench is None else LogColumns(columns=list(wrench.torque), unit=wrench.torque_unit),
+        clock=_clock(mapping.rows),
+        sign=None if wrench is None else wrench.sign,
+        axes=None if wrench is None else wrench.axes,
+        is_compensated=wrench is not None and wrench.is_compensated,
         motion=motion,  # type: ignore[arg-type]  # one of the names of the mapping's own keys
         attitude=_attitude(part, motion),
+        joint_torques=_joint_torques(part),
         is_inverse=isinstance(part, PosePart) and part.inverse,
         motion_clock=_clock(part),
         motion_hz=conversion.moved_hz,
@@ -63,10 +64,8 @@ def _find_offset(made: ImportedLog) -> ClockOffset | None:
 
 
 def _find_motion(mapping: Mapping) -> tuple[JointsPart | PosePart, str]:
-    if mapping.joints is not None:
-        return mapping.joints, "joints"
-    assert mapping.pose is not None  # a mapping that was read has one of them
-    return mapping.pose, mapping.pose.rotations[0]
+    part = mapping.motion
+    return part, "joints" if isinstance(part, JointsPart) else part.rotations[0]
 
 
 def _clock(part: LogPart) -> LogClock:
@@ -76,6 +75,12 @@ def _clock(part: LogPart) -> LogClock:
 def _attitude(part: JointsPart | PosePart, motion: str) -> LogColumns:
     columns = part.position if isinstance(part, JointsPart) else getattr(part, motion)
     return LogColumns(columns=list(columns), unit=part.angle_unit if motion in {"joints", *TURNS} else None)
+
+
+def _joint_torques(part: JointsPart | PosePart) -> LogColumns | None:
+    if not isinstance(part, JointsPart) or part.torque is None:
+        return None
+    return LogColumns(columns=list(part.torque), unit="N m")
 
 
 def _position(part: JointsPart | PosePart) -> LogColumns | None:
@@ -89,14 +94,14 @@ def list_changes(made: ImportedLog) -> list[LogChange]:
     mapping = made.mapping
     part, motion = _find_motion(mapping)
     name = "joints" if isinstance(part, JointsPart) else "pose"
-    keys = [("wrench", key) for key in ("sign", "force_unit", "torque_unit")]
+    keys = [] if mapping.wrench is None else [("wrench", key) for key in ("sign", "force_unit", "torque_unit")]
     keys += [("wrench", "axes"), (name, "inverse")] if isinstance(part, PosePart) else []
     keys += [(name, "angle_unit")] if motion in {"joints", *TURNS} else []
     keys += [(name, "position_unit")] if _position(part) is not None else []
-    keys += [("wrench", "time_unit")] if mapping.wrench.time is not None else []
+    keys += [(name if mapping.wrench is None else "wrench", "time_unit")] if mapping.rows.time is not None else []
     if made.conversion.moved_hz is not None:
         keys += [(name, "time_unit"), ("wrench", "begins_s")]
-    parts: dict[str, LogPart] = {"wrench": mapping.wrench, name: part}
+    parts: dict[str, LogPart] = {name: part} if mapping.wrench is None else {"wrench": mapping.wrench, name: part}
     return [_change(each, key, parts[each]) for each, key in keys]
 
 
@@ -117,28 +122,35 @@ class LogThinner:
         self._every = max(1, -(-rows // POINTS))
         self._t: list[Array] = []
         self._wrench: list[Array] = []
+        self._torques: list[Array] = []
         self._motion: list[Array] = []
         self._joints: tuple[str, ...] = ()
 
     def add(self, block: Recording) -> None:
         """The next rows."""
-        assert block.wrench is not None  # a log has one
-        force = np.linalg.norm(block.wrench[:, :3], axis=1)
-        unusual = np.abs(force - np.median(force))
-        padded = np.concatenate((unusual, np.full(-len(force) % self._every, -1.0))).reshape(-1, self._every)
+        felt = block.tau if block.wrench is None else block.wrench[:, :3]
+        assert felt is not None  # a log has one of them
+        size = np.linalg.norm(felt, axis=1)
+        unusual = np.abs(size - np.median(size))
+        padded = np.concatenate((unusual, np.full(-len(size) % self._every, -1.0))).reshape(-1, self._every)
         rows = np.arange(len(padded)) * self._every + np.argmax(padded, axis=1)
         self._joints = () if block.robot is None else block.robot.joints
         self._t.append(block.t[rows])
-        self._wrench.append(block.wrench[rows])
+        if block.wrench is not None:
+            self._wrench.append(block.wrench[rows])
+        if block.tau is not None:
+            self._torques.append(block.tau[rows])
         self._motion.append(_find_down(block, rows) if block.q is None else block.q[rows])
 
     def preview(self) -> LogPreview:
         """What was kept."""
-        wrench, motion = np.concatenate(self._wrench), np.concatenate(self._motion)
+        motion = np.concatenate(self._motion)
+        wrench = np.concatenate(self._wrench) if self._wrench else None
         return LogPreview(
             t_s=np.round(np.concatenate(self._t), 4).tolist(),
-            force_n=_lines(CHANNELS[:3], wrench[:, :3]),
-            torque_n_m=_lines(CHANNELS[3:], wrench[:, 3:]),
+            force_n=[] if wrench is None else _lines(CHANNELS[:3], wrench[:, :3]),
+            torque_n_m=[] if wrench is None else _lines(CHANNELS[3:], wrench[:, 3:]),
+            joint_torques_n_m=_lines(self._joints, np.concatenate(self._torques)) if self._torques else [],
             joints_rad=_lines(self._joints, motion) if self._joints else [],
             down=[] if self._joints else _lines(("x", "y", "z"), motion),
         )

@@ -48,22 +48,28 @@ class LogClock(Answer):
 class LogUnderstood(Answer):
     """What the columns of a log were taken for."""
 
-    rows_read: int = Field(description="Rows of the wrench in the log.", examples=[6200])
+    rows_read: int = Field(description="Rows of the wrench in the log, or of the joints where it has none.", examples=[6200])
     rows_kept: int = Field(description="Those that the recording has.", examples=[6180])
     rows_repeated: int = Field(description="Rows left out since they have the time of the row before.", examples=[0])
     rows_outside: int = Field(description="Rows left out since no attitude is known at their times.", examples=[20])
-    rate_hz: float = Field(description="Rate of the wrench, Hz.", examples=[500.0])
+    rate_hz: float = Field(description="Rate of these rows, Hz.", examples=[500.0])
     lasts_s: float = Field(description="From the first to the last row, s.", examples=[12.4])
-    force: LogColumns = Field(description="The force.")
-    torque: LogColumns = Field(description="The torque.")
-    clock: LogClock = Field(description="The file of the wrench and its times.")
-    sign: Literal[1, -1] = Field(
-        description="1: what the sensor exerts on the payload; -1: what the payload exerts on the sensor, turned round in the recording."
+    force: LogColumns | None = Field(description="The force; null where no wrist sensor is logged.")
+    torque: LogColumns | None = Field(description="The torque likewise.")
+    clock: LogClock = Field(description="The file of the wrench and its times; of the joints, where there is none.")
+    sign: Literal[1, -1] | None = Field(
+        description="1: what the sensor exerts on the payload; -1: what the payload exerts on the sensor, turned round in the recording; "
+        "null without a wrist sensor.",
+        examples=[1],
     )
-    axes: Literal["sensor", "base"] = Field(description="Axes of the wrench in the log; in the recording they are the sensor's.")
+    axes: Literal["sensor", "base"] | None = Field(
+        description="Axes of the wrench in the log; in the recording they are the sensor's. Null without a wrist sensor.",
+        examples=["sensor"],
+    )
     is_compensated: bool = Field(description="Whether the controller has taken off the payload that it is set to.", examples=[False])
     motion: Motion = Field(description="What the attitude of the sensor comes from.")
     attitude: LogColumns = Field(description="Columns of the joints or of the attitude.")
+    joint_torques: LogColumns | None = Field(description="Columns of the joints' torques; null where none are logged.")
     is_inverse: bool = Field(description="Whether they are those of the base in the sensor.", examples=[False])
     motion_clock: LogClock = Field(description="The file of the attitude and its times.")
     motion_hz: float | None = Field(description="Its rate where it has a clock of its own, Hz.", examples=[100.0])
@@ -87,11 +93,14 @@ class LogLine(Answer):
 
 
 class LogPreview(Answer):
-    """The recording thinned out for plots: of each stretch of time the moment with the most unusual force."""
+    """The recording thinned out for plots: of each stretch of time the moment with the most unusual force, or joint torques."""
 
     t_s: list[float] = Field(description="Times, s.", examples=[[0.0, 0.1]])
-    force_n: list[LogLine] = Field(description="The force that the sensor exerts on the payload, in its axes, N.")
+    force_n: list[LogLine] = Field(
+        description="The force that the sensor exerts on the payload, in its axes, N; empty where no wrist sensor is logged."
+    )
     torque_n_m: list[LogLine] = Field(description="The torque likewise, N m.")
+    joint_torques_n_m: list[LogLine] = Field(description="Torques of the joints, N m; empty where none are logged.")
     joints_rad: list[LogLine] = Field(description="Positions of the joints, rad; empty where the log has none.")
     down: list[LogLine] = Field(description="Where gravity points, in the sensor's axes; empty where the log has joints.")
 

@@ -11,7 +11,9 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.core.recording.logs.foreign_logs import LOG, write_ati, write_columns, write_csv, write_undecided
 from tests.core.recording.logs.payload_log import MASS_KG
+from tests.core.recording.logs.torque_log import write_torque_log
 from tests.server.real_service import RealService, wait_for
+from tests.torque_recordings import make
 from tests.web.judgement import check_looks, check_nothing_is_cut_off
 from tests.web.looks import glimpse, look
 from tests.web.screens import show, signed_in
@@ -84,6 +86,39 @@ def test_the_payload_is_identified_on_the_page_and_its_report_opened(at: Tablet,
     page.get_by_label("Unit of the torque").select_option("N mm")
     expect(payload).to_have_count(0, timeout=PATIENCE_MS)
     expect(page.get_by_role("button", name="Identify", exact=True)).to_be_enabled(timeout=PATIENCE_MS)
+
+
+def test_two_logs_of_joint_torques_are_compared_with_and_without_the_payload(at: Tablet, tmp_path: Path) -> None:
+    page, pair = at.page, make(3, mass_kg=2.8, gain_std=0.005)
+    choose(page, *write_torque_log(tmp_path, "arm alone", pair.empty))
+    answer_where_the_payload_begins(at)
+    assert "tau0" in row(page, "Joint torques")
+    expect(page.locator(".log-look canvas")).to_have_count(2)
+    at.press("This one is without")
+    alone = page.get_by_role("region", name="Without the payload")
+    expect(alone).to_contain_text("arm alone.csv")
+    expect(page.locator(".understood")).to_have_count(0)
+    check_looks(look(page, "a log without the payload put aside"))
+    choose(page, *write_torque_log(tmp_path, "with the block", pair.loaded))
+    answer_where_the_payload_begins(at)
+    at.press("Identify")
+    payload = page.get_by_role("region", name="Result")
+    expect(payload.get_by_role("status")).to_contain_text("The payload has", timeout=5 * PATIENCE_MS)
+    expect(payload).to_contain_text("compared with arm alone.csv")
+    mass = payload.get_by_role("row", name=re.compile("^Mass")).locator("td").inner_text()
+    found = re.match(r"([\d.]+)\s*± ([\d.]+)", mass)
+    assert found is not None, mass
+    assert abs(float(found[1]) - pair.phi[0]) < 1.5 * float(found[2])
+    check_looks(look(page, "a payload identified from joint torques, with and without"))
+    alone.get_by_role("button", name="Remove").tap()
+    expect(alone).to_contain_text("put it aside")
+
+
+def answer_where_the_payload_begins(at: Tablet) -> None:
+    question = at.page.locator(".question")
+    expect(question.get_by_role("radio", name="tool")).to_be_checked(timeout=PATIENCE_MS)
+    at.press("Answer")
+    expect(at.page.get_by_text("Nothing speaks against it.")).to_be_visible(timeout=5 * PATIENCE_MS)
 
 
 def test_what_cannot_be_told_is_asked_with_the_likely_answer_chosen(at: Tablet, tmp_path: Path) -> None:

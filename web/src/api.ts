@@ -1466,7 +1466,8 @@ export interface paths {
         put?: never;
         /**
          * Identify Imported Log
-         * @description Identifies the payload from the recording that was made of it, as `heft identify` does; it stays until it is diagnosed or deleted.
+         * @description Identifies the payload from the recording that was made of it, as `heft identify` does, alone or beside one of the same arm without
+         *     the payload; both stay until they are diagnosed or deleted.
          */
         post: operations["identify_imported_log"];
         delete?: never;
@@ -5303,6 +5304,14 @@ export interface components {
             /** @description The payload with its uncertainties; null before it was identified, or when the log was read anew since. */
             identified: components["schemas"]["IdentificationPublic"] | null;
             /**
+             * Without
+             * @description Files of the log without the payload that it was compared with for that; none where it was identified alone.
+             * @example [
+             *       "arm alone.csv"
+             *     ]
+             */
+            without: string[];
+            /**
              * Expires At
              * Format: date-time
              * @description When it is gone unless somebody asks for it.
@@ -6075,6 +6084,18 @@ export interface components {
             size_bytes: number;
         };
         /**
+         * LogIdentificationCreate
+         * @description What the payload is to be identified from beside the log itself.
+         */
+        LogIdentificationCreate: {
+            /**
+             * Without
+             * @description Identifier of the import of a log of the same arm without the payload: it is identified from the joint torques in both, as by `heft identify --without`; null for the log alone.
+             * @example 5df6e0e2761359d30a8275058e299fcc
+             */
+            without?: string | null;
+        };
+        /**
          * LogLine
          * @description One line of a plot.
          */
@@ -6097,7 +6118,7 @@ export interface components {
         };
         /**
          * LogPreview
-         * @description The recording thinned out for plots: of each stretch of time the moment with the most unusual force.
+         * @description The recording thinned out for plots: of each stretch of time the moment with the most unusual force, or joint torques.
          */
         LogPreview: {
             /**
@@ -6111,7 +6132,7 @@ export interface components {
             t_s: number[];
             /**
              * Force N
-             * @description The force that the sensor exerts on the payload, in its axes, N.
+             * @description The force that the sensor exerts on the payload, in its axes, N; empty where no wrist sensor is logged.
              */
             force_n: components["schemas"]["LogLine"][];
             /**
@@ -6119,6 +6140,11 @@ export interface components {
              * @description The torque likewise, N m.
              */
             torque_n_m: components["schemas"]["LogLine"][];
+            /**
+             * Joint Torques N M
+             * @description Torques of the joints, N m; empty where none are logged.
+             */
+            joint_torques_n_m: components["schemas"]["LogLine"][];
             /**
              * Joints Rad
              * @description Positions of the joints, rad; empty where the log has none.
@@ -6212,7 +6238,7 @@ export interface components {
         LogUnderstood: {
             /**
              * Rows Read
-             * @description Rows of the wrench in the log.
+             * @description Rows of the wrench in the log, or of the joints where it has none.
              * @example 6200
              */
             rows_read: number;
@@ -6236,7 +6262,7 @@ export interface components {
             rows_outside: number;
             /**
              * Rate Hz
-             * @description Rate of the wrench, Hz.
+             * @description Rate of these rows, Hz.
              * @example 500
              */
             rate_hz: number;
@@ -6246,24 +6272,24 @@ export interface components {
              * @example 12.4
              */
             lasts_s: number;
-            /** @description The force. */
-            force: components["schemas"]["LogColumns"];
-            /** @description The torque. */
-            torque: components["schemas"]["LogColumns"];
-            /** @description The file of the wrench and its times. */
+            /** @description The force; null where no wrist sensor is logged. */
+            force: components["schemas"]["LogColumns"] | null;
+            /** @description The torque likewise. */
+            torque: components["schemas"]["LogColumns"] | null;
+            /** @description The file of the wrench and its times; of the joints, where there is none. */
             clock: components["schemas"]["LogClock"];
             /**
              * Sign
-             * @description 1: what the sensor exerts on the payload; -1: what the payload exerts on the sensor, turned round in the recording.
-             * @enum {integer}
+             * @description 1: what the sensor exerts on the payload; -1: what the payload exerts on the sensor, turned round in the recording; null without a wrist sensor.
+             * @example 1
              */
-            sign: 1 | -1;
+            sign: (1 | -1) | null;
             /**
              * Axes
-             * @description Axes of the wrench in the log; in the recording they are the sensor's.
-             * @enum {string}
+             * @description Axes of the wrench in the log; in the recording they are the sensor's. Null without a wrist sensor.
+             * @example sensor
              */
-            axes: "sensor" | "base";
+            axes: ("sensor" | "base") | null;
             /**
              * Is Compensated
              * @description Whether the controller has taken off the payload that it is set to.
@@ -6278,6 +6304,8 @@ export interface components {
             motion: "joints" | "quaternion" | "matrix" | "rotation_vector" | "roll_pitch_yaw";
             /** @description Columns of the joints or of the attitude. */
             attitude: components["schemas"]["LogColumns"];
+            /** @description Columns of the joints' torques; null where none are logged. */
+            joint_torques: components["schemas"]["LogColumns"] | null;
             /**
              * Is Inverse
              * @description Whether they are those of the base in the sensor.
@@ -8712,6 +8740,27 @@ export interface components {
              */
             axes?: string;
             /**
+             * Identify From
+             * @description What the motions show the payload to. `joint_torques`: a wave of all joints at each of `axes`, as tells most of the payload through their torques; without `target` and with `rotations`.
+             * @default wrist_sensor
+             * @example joint_torques
+             * @enum {string}
+             */
+            identify_from?: "wrist_sensor" | "joint_torques";
+            /**
+             * Empty
+             * @description True for the same motions without the payload, which has to be taken off before; the run then names no payload.
+             * @default false
+             * @example false
+             */
+            empty?: boolean;
+            /**
+             * Without
+             * @description A run of this cell with `empty`: the payload is then identified from the joints' torques in both recordings, without `target`; from this run's own where null.
+             * @example 019ab1c0a1b2c3d4e5f607
+             */
+            without?: string | null;
+            /**
              * Rotations
              * @description False for holds alone, which tell mass and centre of mass.
              * @default true
@@ -8854,6 +8903,27 @@ export interface components {
              */
             axes?: string;
             /**
+             * Identify From
+             * @description What the motions show the payload to. `joint_torques`: a wave of all joints at each of `axes`, as tells most of the payload through their torques; without `target` and with `rotations`.
+             * @default wrist_sensor
+             * @example joint_torques
+             * @enum {string}
+             */
+            identify_from?: "wrist_sensor" | "joint_torques";
+            /**
+             * Empty
+             * @description True for the same motions without the payload, which has to be taken off before; the run then names no payload.
+             * @default false
+             * @example false
+             */
+            empty?: boolean;
+            /**
+             * Without
+             * @description A run of this cell with `empty`: the payload is then identified from the joints' torques in both recordings, without `target`; from this run's own where null.
+             * @example 019ab1c0a1b2c3d4e5f607
+             */
+            without?: string | null;
+            /**
              * Rotations
              * @description False for holds alone, which tell mass and centre of mass.
              * @default true
@@ -8957,7 +9027,7 @@ export interface components {
             cell: string;
             /**
              * Payload
-             * @description Name of the payload; null in runs of older services that named none.
+             * @description Name of the payload; null in runs without it, and of older services that named none.
              * @example steel_block
              */
             payload: string | null;
@@ -12556,6 +12626,57 @@ export interface components {
              */
             type: "/problems/runs-no-recording";
         });
+        /** @description runs-not-empty = run { $run }: is not one without the payload in cell { $cell }; name one that was ordered with empty */
+        RunsNotEmptyProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/runs-not-empty";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the run. */
+                run: string;
+                /** @description Name of the cell. */
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-not-empty";
+        });
+        /** @description runs-not-together = order: { $key } does not go with { $option }; joint torques tell the payload from whole runs, compared where it is on */
+        RunsNotTogetherProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/runs-not-together";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Name or beginning of the key. */
+                key: string;
+                option: unknown;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-not-together";
+        });
         /** @description runs-no-report = run { $run }: has no report, it is in { runs-state }; a report comes with a run that is Complete */
         RunsNoReportProblem: {
             /**
@@ -13828,6 +13949,30 @@ export interface components {
              * @enum {string}
              */
             type: "/problems/imports-not-identified";
+        });
+        /** @description imports-without-itself = import "{ $log_import }": it cannot be compared with itself; import a log of the same arm without the payload, and name that */
+        ImportsWithoutItselfProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/imports-without-itself";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the import. */
+                log_import: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/imports-without-itself";
         });
         /** @description drafts-too-many = drafts: { $most_drafts } cells are being made already; finish or leave one of them */
         DraftsTooManyProblem: {
@@ -16019,7 +16164,7 @@ export interface components {
              */
             type: "EngineProblem";
         });
-        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["DraftsUnknownProblem"] | components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["ImportsFileUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["AlarmsAcknowledgedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlNotAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["ImportsTooManyProblem"] | components["schemas"]["ImportsTooManyFilesProblem"] | components["schemas"]["ImportsBusyProblem"] | components["schemas"]["ImportsNoLogYetProblem"] | components["schemas"]["ImportsSeveralProblem"] | components["schemas"]["ImportsNotReadProblem"] | components["schemas"]["ImportsQuestionOpenProblem"] | components["schemas"]["ImportsContradictedProblem"] | components["schemas"]["ImportsNotIdentifiedProblem"] | components["schemas"]["DraftsTooManyProblem"] | components["schemas"]["DraftsBusyProblem"] | components["schemas"]["DraftsNotReadProblem"] | components["schemas"]["DraftsNotMadeProblem"] | components["schemas"]["DraftsNoPictureProblem"] | components["schemas"]["LibraryNameTakenProblem"] | components["schemas"]["LibraryFullProblem"] | components["schemas"]["LibraryRunOfOtherCellProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["ZoneExistsProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["LibraryWithoutBoxProblem"] | components["schemas"]["DraftsFileUnknownProblem"] | components["schemas"]["DraftsWorkEndedProblem"] | components["schemas"]["ImportsReadingEndedProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["ImportsDiskTooFullProblem"] | components["schemas"]["ImportsNotWritableProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["ImportsNameUnusualProblem"] | components["schemas"]["ImportsKindUnknownProblem"] | components["schemas"]["ImportsFileEmptyProblem"] | components["schemas"]["ImportsUnpacksTooLargeProblem"] | components["schemas"]["ImportsOwnRecordingProblem"] | components["schemas"]["ImportsNoLogInsideProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["DraftsNoDescriptionProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
+        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["DraftsUnknownProblem"] | components["schemas"]["ImportsUnknownProblem"] | components["schemas"]["ImportsFileUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNotEmptyProblem"] | components["schemas"]["RunsNotTogetherProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["AlarmsAcknowledgedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlNotAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["ImportsTooManyProblem"] | components["schemas"]["ImportsTooManyFilesProblem"] | components["schemas"]["ImportsBusyProblem"] | components["schemas"]["ImportsNoLogYetProblem"] | components["schemas"]["ImportsSeveralProblem"] | components["schemas"]["ImportsNotReadProblem"] | components["schemas"]["ImportsQuestionOpenProblem"] | components["schemas"]["ImportsContradictedProblem"] | components["schemas"]["ImportsNotIdentifiedProblem"] | components["schemas"]["ImportsWithoutItselfProblem"] | components["schemas"]["DraftsTooManyProblem"] | components["schemas"]["DraftsBusyProblem"] | components["schemas"]["DraftsNotReadProblem"] | components["schemas"]["DraftsNotMadeProblem"] | components["schemas"]["DraftsNoPictureProblem"] | components["schemas"]["LibraryNameTakenProblem"] | components["schemas"]["LibraryFullProblem"] | components["schemas"]["LibraryRunOfOtherCellProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["ZoneExistsProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["LibraryWithoutBoxProblem"] | components["schemas"]["DraftsFileUnknownProblem"] | components["schemas"]["DraftsWorkEndedProblem"] | components["schemas"]["ImportsReadingEndedProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["ImportsDiskTooFullProblem"] | components["schemas"]["ImportsNotWritableProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["ImportsNameUnusualProblem"] | components["schemas"]["ImportsKindUnknownProblem"] | components["schemas"]["ImportsFileEmptyProblem"] | components["schemas"]["ImportsUnpacksTooLargeProblem"] | components["schemas"]["ImportsOwnRecordingProblem"] | components["schemas"]["ImportsNoLogInsideProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["DraftsNoDescriptionProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
     };
     responses: never;
     parameters: never;
@@ -16133,6 +16278,7 @@ export type LogClock = components['schemas']['LogClock'];
 export type LogColumns = components['schemas']['LogColumns'];
 export type LogDiagnosisCreate = components['schemas']['LogDiagnosisCreate'];
 export type LogFilePublic = components['schemas']['LogFilePublic'];
+export type LogIdentificationCreate = components['schemas']['LogIdentificationCreate'];
 export type LogLine = components['schemas']['LogLine'];
 export type LogPreview = components['schemas']['LogPreview'];
 export type LogQuestion = components['schemas']['LogQuestion'];
@@ -16300,6 +16446,8 @@ export type RunsNoPlanProblem = components['schemas']['RunsNoPlanProblem'];
 export type RunsNoResultProblem = components['schemas']['RunsNoResultProblem'];
 export type RunsNoResultBecauseProblem = components['schemas']['RunsNoResultBecauseProblem'];
 export type RunsNoRecordingProblem = components['schemas']['RunsNoRecordingProblem'];
+export type RunsNotEmptyProblem = components['schemas']['RunsNotEmptyProblem'];
+export type RunsNotTogetherProblem = components['schemas']['RunsNotTogetherProblem'];
 export type RunsNoReportProblem = components['schemas']['RunsNoReportProblem'];
 export type RunsRecordingOpenProblem = components['schemas']['RunsRecordingOpenProblem'];
 export type RunsNothingLeftProblem = components['schemas']['RunsNothingLeftProblem'];
@@ -16350,6 +16498,7 @@ export type ImportsNotReadProblem = components['schemas']['ImportsNotReadProblem
 export type ImportsQuestionOpenProblem = components['schemas']['ImportsQuestionOpenProblem'];
 export type ImportsContradictedProblem = components['schemas']['ImportsContradictedProblem'];
 export type ImportsNotIdentifiedProblem = components['schemas']['ImportsNotIdentifiedProblem'];
+export type ImportsWithoutItselfProblem = components['schemas']['ImportsWithoutItselfProblem'];
 export type DraftsTooManyProblem = components['schemas']['DraftsTooManyProblem'];
 export type DraftsBusyProblem = components['schemas']['DraftsBusyProblem'];
 export type DraftsNotReadProblem = components['schemas']['DraftsNotReadProblem'];
@@ -21080,7 +21229,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"];
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RunsUnknownProblem"];
                 };
             };
             /** @description Conflict */
@@ -21089,7 +21238,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/problem+json": components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RequestKeyBusyProblem"];
+                    "application/problem+json": components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsNotEmptyProblem"] | components["schemas"]["RunsNotTogetherProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RequestKeyBusyProblem"];
                 };
             };
             /** @description Request Entity Too Large */
@@ -23970,7 +24119,11 @@ export interface operations {
             };
             cookie?: never;
         };
-        requestBody?: never;
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["LogIdentificationCreate"] | null;
+            };
+        };
         responses: {
             /** @description Successful Response */
             200: {
@@ -23979,6 +24132,15 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["ImportPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
                 };
             };
             /** @description Unauthorized */
@@ -24014,7 +24176,16 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/problem+json": components["schemas"]["ImportsNotReadProblem"] | components["schemas"]["ImportsQuestionOpenProblem"] | components["schemas"]["ImportsContradictedProblem"] | components["schemas"]["ImportsBusyProblem"];
+                    "application/problem+json": components["schemas"]["ImportsNotReadProblem"] | components["schemas"]["ImportsQuestionOpenProblem"] | components["schemas"]["ImportsContradictedProblem"] | components["schemas"]["ImportsBusyProblem"] | components["schemas"]["ImportsWithoutItselfProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
                 };
             };
             /** @description Unprocessable Entity */

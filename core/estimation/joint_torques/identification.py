@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.array import Array
-from core.errors import BadRecording
 from core.estimation.budget import Budget, Source
 from core.estimation.consistency import NO_SUCH_BODY, distance_from_bodies, nearest_consistent
 from core.estimation.determination import find_determined, reasons, scales
@@ -23,7 +22,7 @@ from core.estimation.segments import Segment, cut_at_gaps, segments_of_motion, s
 from core.estimation.verdict import verdict_of
 from core.payload.inertia import PHI_NAMES, InertialParameters, Motion, is_consistent
 from core.payload.known_tool import add_tools
-from core.recording.recording import Recording
+from core.recording.recording import Recording, check_arm_alone
 from core.robot.model import RobotModel
 from core.words.message import Message
 
@@ -63,7 +62,7 @@ def identify_by_torques(loaded: Recording, empty: Recording | None = None) -> Id
         BadRecording: the recordings are of different robots, or the one without payload has no torques.
     """
     if empty is not None:
-        _check_pair(loaded, empty)
+        check_arm_alone(empty, loaded.robot, loaded.gravity)
     why = _explain_lack(loaded, empty)
     if why is not None:
         return _nothing(why)
@@ -84,16 +83,6 @@ def identify_by_torques(loaded: Recording, empty: Recording | None = None) -> Id
 
 def _states_all_masses(model: TorqueModel) -> bool:
     return bool((model.nominal_links.reshape(-1, 10)[:, 0] > 0.0).all())
-
-
-def _check_pair(loaded: Recording, empty: Recording) -> None:
-    if loaded.robot != empty.robot:
-        raise BadRecording(Message.of("torques-of-empty"), "recording-other-robot")
-    if not np.allclose(loaded.gravity, empty.gravity, atol=1e-6):
-        gravities = {"gravity_m_s2": empty.gravity.tolist(), "before_m_s2": loaded.gravity.tolist()}
-        raise BadRecording(Message.of("torques-of-empty"), "recording-other-gravity", **gravities)
-    if empty.tau is None or empty.q is None:
-        raise BadRecording(Message.of("torques-of-empty"), "torques-none-in-empty")
 
 
 def _explain_lack(loaded: Recording, empty: Recording | None) -> Message | None:

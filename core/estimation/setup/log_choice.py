@@ -70,7 +70,7 @@ def import_log(log: Log, mappings: Sequence[Mapping], beside: Path) -> ImportedL
     best = min(tried, key=_rank)
     alike = [each for each in tried if _is_alike(each, best)]
     for key, reason in OPEN_KEYS.items():
-        choices = list(dict.fromkeys(str(getattr(each.mapping.wrench, key)) for each in alike))
+        choices = list(dict.fromkeys(str(getattr(each.mapping.wrench, key, None)) for each in alike))
         if len(choices) > 1:
             raise OpenQuestion(log.where, f"wrench.{key}", choices, reason, str(getattr(best.mapping.wrench, key)))
     return best

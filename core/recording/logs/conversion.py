@@ -1,4 +1,4 @@
-"""From the tables of a log to a recording: SI, the paper's sign, one clock, one row for each reading of the wrench."""
+"""From the tables of a log to a recording: SI, the paper's sign, one clock, one row for each reading of the wrench, else of the joints."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class Conversion:
 
     Attributes:
         t: (N,), s, of the rows that are kept, from 0.
-        read: rows of the wrench in the log.
+        read: rows of the wrench in the log; of the joints, where it has no wrench.
         repeated: of them, rows with the time of the row before; they are left out.
         outside: rows at times without an attitude, likewise.
         moved_hz: rate of the attitudes, where they have a clock of their own.
@@ -80,21 +80,20 @@ class Conversion:
 
     def __init__(self, log: Log, mapping: Mapping, beside: Path) -> None:
         self.mapping = mapping
-        part = mapping.joints if mapping.joints is not None else mapping.pose
-        assert part is not None  # a mapping that was read has one of them
-        self._wrench_table = log.table(mapping.wrench.file, "wrench")
+        part, lead = mapping.motion, mapping.rows
         table = log.table(part.file, "pose" if mapping.joints is None else "joints")
-        wrench, moved = Clock(self._wrench_table, mapping.wrench), Clock(table, part)
-        if part.time is None and table is not self._wrench_table:
+        self._table = table if lead is part else log.table(lead.file, "wrench")
+        felt, moved = Clock(self._table, lead), Clock(table, part)
+        if part.time is None and table is not self._table:
             raise BadRecording(Message.of("import-key", file=log.where, key="time"), "import-poses-of-two-files")
-        self.together = bool(np.array_equal(wrench.t, moved.t))
-        kept = np.ones(len(wrench.t), dtype=bool) if self.together else _is_known(wrench.t, moved.t)
+        self.together = bool(np.array_equal(felt.t, moved.t))
+        kept = np.ones(len(felt.t), dtype=bool) if self.together else _is_known(felt.t, moved.t)
         if np.count_nonzero(kept) < 2:
-            times = dict(zip(("begin_s", "end_s", "first_s", "last_s"), (*wrench.t[[0, -1]], *moved.t[[0, -1]]), strict=True))
+            times = dict(zip(("begin_s", "end_s", "first_s", "last_s"), (*felt.t[[0, -1]], *moved.t[[0, -1]]), strict=True))
             raise BadRecording(log.where, "import-no-overlap", **{key: float(value) for key, value in times.items()})
-        self._times, self._rows, self._moved = wrench.t[kept], wrench.rows[kept], moved
+        self._times, self._rows, self._moved = felt.t[kept], felt.rows[kept], moved
         self.t = self._times - self._times[0]
-        self.read, self.repeated, self.outside = len(self._wrench_table), wrench.repeated, int((~kept).sum())
+        self.read, self.repeated, self.outside = len(self._table), felt.repeated, int((~kept).sum())
         self.moved_hz = None if self.together else 1.0 / float(np.median(np.diff(moved.t)))
         self.robot: RobotDescription | None = None
         self._motion: LoggedMotion
@@ -120,10 +119,11 @@ class Conversion:
             BadRecording: a value that cannot be used, with file, column and row.
         """
         begin, end, _ = rows.indices(len(self))
-        wrench = self._wrench_at(begin, end)
+        part = self.mapping.wrench
+        wrench = None if part is None else self._wrench_at(part, begin, end)
         columns = self._motion_at(begin, end)
         orientation = columns.get("orientation")
-        if self.mapping.wrench.axes == "base" and orientation is not None:
+        if part is not None and wrench is not None and part.axes == "base" and orientation is not None:
             wrench = np.einsum("nji,nkj->nki", orientation, wrench.reshape(-1, 2, 3)).reshape(-1, 6)
         gravity, source = np.array(self.mapping.gravity_m_s2), self.mapping.source
         return Recording(t=self.t[begin:end], gravity=gravity, wrench=wrench, robot=self.robot, source=source, **columns)
@@ -133,10 +133,9 @@ class Conversion:
         for at in range(begin, len(self), BLOCK):
             yield self.recording(slice(at, min(at + BLOCK, len(self))))
 
-    def _wrench_at(self, begin: int, end: int) -> Array:
+    def _wrench_at(self, part: WrenchPart, begin: int, end: int) -> Array:
         rows = self._rows[begin:end]
-        part = self.mapping.wrench
-        values = self._wrench_table.numbers(*part.force, *part.torque, rows=slice(int(rows[0]), int(rows[-1]) + 1))[rows - rows[0]]
+        values = self._table.numbers(*part.force, *part.torque, rows=slice(int(rows[0]), int(rows[-1]) + 1))[rows - rows[0]]
         return np.asarray(part.sign * values * _scales(part))
 
     def _motion_at(self, begin: int, end: int) -> dict[str, Any]:

@@ -123,13 +123,26 @@ class Mapping(MappingPart):
     Args:
         source: where it is from, for the record.
         gravity_m_s2: in the base frame.
+        wrench: None where no wrist sensor is logged, but the joints' torques are.
     """
 
     source: str | None = None
     gravity_m_s2: tuple[float, float, float] = (0.0, 0.0, -9.81)
-    wrench: WrenchPart
+    wrench: WrenchPart | None = None
     pose: PosePart | None = None
     joints: JointsPart | None = None
+
+    @property
+    def motion(self) -> JointsPart | PosePart:
+        """What the attitude comes from."""
+        part = self.joints if self.joints is not None else self.pose
+        assert part is not None  # a mapping that was read has one of them
+        return part
+
+    @property
+    def rows(self) -> LogPart:
+        """The part whose rows become the recording's."""
+        return self.motion if self.wrench is None else self.wrench
 
 
 def read_mapping(file: Path) -> Mapping:
@@ -209,12 +222,14 @@ def check_choices(mapping: Mapping, where: str) -> None:
         raise BadInput(where, "import-no-attitude")
     if mapping.pose is not None and len(mapping.pose.rotations) != 1:
         raise BadInput(Message.of("import-key", file=where, key="pose"), "import-rotations", given=mapping.pose.rotations)
-    if mapping.wrench.axes == "base" and mapping.pose is None:
+    wrench, joints = mapping.wrench, mapping.joints
+    if wrench is None and (joints is None or joints.torque is None):
+        raise BadInput(where, "import-nothing-felt")
+    if wrench is not None and wrench.axes == "base" and mapping.pose is None:
         raise BadInput(Message.of("import-key", file=where, key="wrench.axes"), "import-base-axes-without-pose")
-    times = {part.time is None for part in (mapping.wrench, mapping.pose, mapping.joints) if part is not None}
+    times = {part.time is None for part in (wrench, mapping.pose, joints) if part is not None}
     if len(times) > 1:
         raise BadInput(Message.of("import-key", file=where, key="time"), "import-time-for-some")
-    joints = mapping.joints
     for name in () if joints is None else ("position", "velocity", "command", "torque"):
         columns = getattr(joints, name)
         if joints is not None and columns is not None and len(columns) != len(joints.names):

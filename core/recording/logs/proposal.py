@@ -35,6 +35,7 @@ PARTS = {
 }
 JOINT = re.compile(r"position\.(.+)")
 NUMBERED = (r"actual_q_{}", r"q_?{}", r"(joint|j|a)_?{}", r"(.*[_.])?(joint|position|q)_?{}")
+NUMBERED_TORQUES = (r"tau_?{}", r"((joint|measured|msr)_)?torque_?{}", r"(.*[_.])?(tau|effort|joint_torque)_?{}")
 TIME = re.compile(r"(.*[_.])?(t|time|timestamp|stamp|secs?|seconds)([_ ]?(s|ms|us|ns))?", re.IGNORECASE)
 RATES_HZ = (5.0, 20_000.0)
 """Of a log of motion: the unit of time is the one that gives such a rate."""
@@ -68,6 +69,8 @@ def propose_mappings(log: Log, answers: Answers[str, str], urdf: str | None = No
         OpenQuestion: several columns could be meant.
         BadRecording: no columns look like a force, a torque, an attitude or a time; it says which key of `map.toml` names them.
     """
+    if not _search(log, FORCE, XYZ, answers.get("wrench.file")) and (by_torques := _propose_by_torques(log, answers, urdf)) is not None:
+        return [by_torques]
     wrench = _find(log, "wrench", FORCE, XYZ, answers)
     torque = _match(wrench.table, TORQUE, XYZ)
     if torque is None:
@@ -81,6 +84,16 @@ def propose_mappings(log: Log, answers: Answers[str, str], urdf: str | None = No
     given = {key: value for key, value in answers.items() if not key.endswith(".file")}
     changed = [change_mapping(each, given) for each in proposed]
     return [each for k, each in enumerate(changed) if each not in changed[:k]]
+
+
+def _propose_by_torques(log: Log, answers: Answers[str, str], urdf: str | None) -> Mapping | None:
+    """A log of joints with their torques; None where it has none."""
+    robot = urdf or log.urdf
+    joints = None if robot is None else _find_joints(log, answers, robot)
+    if robot is None or joints is None or "torque" not in joints[1]:
+        return None
+    proposed = Mapping.model_validate({"joints": {**_clock(log, joints[0]), **joints[1], **_frames(log, robot, None, answers)}})
+    return change_mapping(proposed, {key: value for key, value in answers.items() if not key.endswith(".file")})
 
 
 def _propose_motion(log: Log, wrench: Described, answers: Answers[str, str], urdf: str | None) -> dict[str, Any]:
@@ -114,10 +127,12 @@ def _find_joints(log: Log, answers: Answers[str, str], robot: str) -> tuple[Desc
             there = {key: columns for key, columns in given.items() if set(columns) <= set(table.columns)}
             return Described(name, table, there["position"]), {"names": named, **there}
         for first in (0, 1):
-            columns = _match(table, NUMBERED, tuple(str(k + first) for k in range(len(moving))))
+            numbers = tuple(str(k + first) for k in range(len(moving)))
+            columns, torques = _match(table, NUMBERED, numbers), _match(table, NUMBERED_TORQUES, numbers)
             if columns is not None:
+                felt = {} if torques is None else {"torque": torques}
                 unit = _units(columns, "angle_unit", ANGLE_UNITS) or _guess_angle_unit(table, columns, joints)
-                return Described(name, table, columns), {"names": moving, "position": columns, **unit}
+                return Described(name, table, columns), {"names": moving, "position": columns, **felt, **unit}
     return None
 
 

@@ -11,6 +11,7 @@ imports-not-read = Import „{ $log_import }“: Er wurde noch nicht gelesen, od
 imports-question-open = Import „{ $log_import }“: { $key } ist noch nicht beantwortet; zuerst beantworten
 imports-contradicted = Import „{ $log_import }“: Das Log widerspricht sich ({ $contradiction }); zuerst ändern, wie es verstanden wurde
 imports-not-identified = Import „{ $log_import }“: Die Nutzlast ist noch nicht identifiziert, oder das Log wurde seither neu gelesen; zuerst identifizieren lassen
+imports-without-itself = Import „{ $log_import }“: Er lässt sich nicht mit sich selbst vergleichen; ein Log desselben Arms ohne Last importieren und dieses nennen
 imports-disk-too-full = Festplatte: { FIXED($free_mb, digits: 0) } MB sind frei, { FIXED($needed_mb, digits: 0) } MB werden für das gebraucht, was kommen kann; zuerst Platz schaffen
 imports-not-writable = Festplatte: Die Datei kann nicht geschrieben werden ({ $reason }); Platz schaffen oder den Dienst dort schreiben lassen
 imports-name-unusual =

@@ -11,6 +11,7 @@ imports-not-read = import "{ $log_import }": it was not read yet, or a file has 
 imports-question-open = import "{ $log_import }": { $key } is not answered yet; answer it first
 imports-contradicted = import "{ $log_import }": the log contradicts itself ({ $contradiction }); change what was understood first
 imports-not-identified = import "{ $log_import }": its payload was not identified yet, or it was read anew since; have it identified first
+imports-without-itself = import "{ $log_import }": it cannot be compared with itself; import a log of the same arm without the payload, and name that
 imports-disk-too-full = disk: { FIXED($free_mb, digits: 0) } MB are free, { FIXED($needed_mb, digits: 0) } MB are needed for what may come; make room first
 imports-not-writable = disk: the file cannot be written ({ $reason }); make room, or let the service write there
 imports-name-unusual =

@@ -27,7 +27,9 @@ from server.settings import Settings
 from tests.core.cli.test_import_log import exported
 from tests.core.recording.logs.foreign_logs import write_ati, write_csv, write_rtde, write_transforms, write_undecided
 from tests.core.recording.logs.payload_log import MASS_KG
+from tests.core.recording.logs.torque_log import ANSWERS, write_torque_log
 from tests.server.made_people import As, Clock
+from tests.torque_recordings import make
 
 FILE = {"content-type": "application/octet-stream"}
 LOGS = Path(__file__).parents[3] / "docs" / "logs"
@@ -355,6 +357,57 @@ def test_the_payload_of_a_log_is_held_against_what_its_cell_needs(operator: Test
     assert operator.put(f"{path}/reading", json={"cell": "lwr4_bench"}).status_code == 200
     found = operator.post(f"{path}/identification").json()["identified"]
     assert found["requirement"]["adequacy"] is not None
+
+
+def test_two_logs_of_joint_torques_with_and_without_the_payload_are_compared_as_the_command_line_does(
+    operator: TestClient, tmp_path: Path
+) -> None:
+    pair = make(3, mass_kg=2.8, gain_std=0.005)
+    paths, files = {}, {}
+    for name, recording in (("with", pair.loaded), ("without", pair.empty)):
+        files[name] = write_torque_log(tmp_path, name, recording)
+        paths[name] = send(operator, *files[name])
+    unread = operator.post(f"{paths['with']}/identification", json={"without": named(paths["without"])})
+    assert unread.json()["type"] == "/problems/imports-not-read"
+    for path in paths.values():
+        found = read(operator, path, **ANSWERS)
+        assert (found["question"], found["contradiction"]) == (None, None)
+        understood, preview = found["understood"], found["preview"]
+        assert (understood["force"], understood["sign"], understood["joint_torques"]["columns"][0]) == (None, None, "tau0")
+        assert (preview["force_n"], len(preview["joint_torques_n_m"]), len(preview["joints_rad"])) == ([], 6, 6)
+    itself = operator.post(f"{paths['with']}/identification", json={"without": named(paths["with"])})
+    assert (itself.status_code, itself.json()["type"]) == (409, "/problems/imports-without-itself")
+    assert operator.post(f"{paths['with']}/identification", json={"without": "nothing"}).json()["type"] == "/problems/imports-unknown"
+    answered = operator.post(f"{paths['with']}/identification", json={"without": named(paths["without"])})
+    assert answered.status_code == 200, answered.text
+    found = answered.json()["identified"]
+    assert answered.json()["without"] == ["without.csv", "arm.urdf"]
+    for name, path in paths.items():
+        with zipfile.ZipFile(io.BytesIO(operator.get(f"{path}/recording").content)) as archive:
+            archive.extractall(tmp_path / f"unpacked {name}")
+    (loaded,), (empty,) = ((tmp_path / f"unpacked {name}").iterdir() for name in paths)
+    by_command = CliRunner().invoke(app, ["identify", str(loaded), "--without", str(empty), "--json", "-"])
+    said = json.loads(by_command.stdout)
+    assert (found["parameters"], found["covariance"]) == (said["estimate"]["phi"], said["estimate"]["covariance"])
+    assert abs(found["mass_kg"] - pair.phi[0]) < 3.0 * found["mass_std_kg"]
+    assert Result.model_validate_json(operator.get(f"{paths['with']}/result").content).joints
+    assert "j5" in operator.get(f"{paths['with']}/report").text
+    alone = operator.post(f"{paths['with']}/identification").json()
+    assert (alone["without"], alone["identified"]["mass_std_kg"] > found["mass_std_kg"]) == ([], True)
+
+
+def named(path: str) -> str:
+    """The identifier of the import at an address."""
+    return path.rpartition("/")[2]
+
+
+def test_logs_of_two_arms_are_not_compared(operator: TestClient, tmp_path: Path) -> None:
+    paths = []
+    for seed in (1, 2):
+        paths.append(send(operator, *write_torque_log(tmp_path, f"arm {seed}", make(seed).loaded)))
+        read(operator, paths[-1], **ANSWERS)
+    answered = operator.post(f"{paths[0]}/identification", json={"without": named(paths[1])})
+    assert (answered.status_code, answered.json()["flaws"][0]["code"]) == (422, "recording-other-robot")
 
 
 def test_who_may_not_diagnose_imports_nothing(signed_in: As) -> None:

@@ -3,6 +3,7 @@ import { Press } from '../ui/press';
 import { Select } from '../ui/select';
 import { number } from '../ui/units';
 import { words } from '../words';
+import { ArmAlone } from './arm-alone';
 import { importWords } from './import-words';
 import {
   cellNames,
@@ -59,6 +60,7 @@ export function FileChoice() {
         chosen={madeIn.value}
         choose={(cell) => void chooseCell(cell)}
       />
+      <ArmAlone />
     </section>
   );
 }

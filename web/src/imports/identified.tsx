@@ -39,6 +39,7 @@ function Payload({ answer }: { answer: IdentificationPublic }) {
       <p class="verdict-words" role="status">
         {determined ? resultSentence(answer) : <MessageText message={answer.verdict} />}
       </p>
+      <ComparedWith files={log.value?.without ?? []} />
       {determined && <GoodEnough requirement={answer.requirement} />}
       <Warnings all={answer.warnings} />
       {determined && (
@@ -55,6 +56,11 @@ function Payload({ answer }: { answer: IdentificationPublic }) {
       <Downloads />
     </section>
   );
+}
+
+/** The log without the payload that it was compared with; nothing where it was identified alone. */
+function ComparedWith({ files }: { files: string[] }) {
+  return files.length > 0 ? <p>{importWords.value.alone.compared(files.join(', '))}</p> : null;
 }
 
 function Downloads() {

@@ -16,6 +16,7 @@ import { FileChoice } from './file-choice';
 import { Identified } from './identified';
 import { importWords } from './import-words';
 import {
+  armAlone,
   diagnose,
   forget,
   identify,
@@ -182,7 +183,7 @@ function next(): string {
   if (identifying.value) return said.identifying;
   if (refused.value) return said.next.refused;
   const found = log.value?.reading;
-  if (!found) return said.next.files;
+  if (!found) return armAlone.value ? said.alone.other : said.next.files;
   if (found.question) return said.next.question;
   if (!sound.value) return said.next.contradicted;
   return log.value?.identified ? said.next.identified : said.next.sound;

@@ -13,6 +13,8 @@ export const MOST_LETTERS = 120;
 
 /** The import that the service keeps; null before a file was chosen. */
 export const log = signal<ImportPublic | null>(null);
+/** A log of the same arm without the payload, put aside to be compared with; null where none is. */
+export const armAlone = signal<ImportPublic | null>(null);
 /** The file that is on its way, and what share of it has gone; null while none is. */
 export const sending = signal<{ file: string; share: number } | null>(null);
 /** What share of the reading is done; null while nothing is read. */
@@ -111,7 +113,20 @@ async function follow(before: ImportPublic): Promise<void> {
   if (reading.value !== null && found?.progress != null) reading.value = found.progress;
 }
 
-/** Has the payload identified from the recording that was made of it; the import stays. */
+/** Keeps the log as the one without the payload; the next is the one with it. */
+export function putAside(): void {
+  armAlone.value = log.value;
+  clear();
+}
+
+/** The log without the payload is no longer compared with; nothing of it stays. */
+export async function dropArmAlone(): Promise<void> {
+  const before = armAlone.value;
+  armAlone.value = null;
+  if (before !== null) await remove(before);
+}
+
+/** Has the payload identified from the recording that was made of it, beside that of the arm alone; both imports stay. */
 export async function identify(): Promise<void> {
   const before = log.value;
   if (before === null) return;
@@ -119,6 +134,7 @@ export async function identify(): Promise<void> {
     identifying.value = true;
     log.value = await ask('POST /api/imports/{log_import}/identification', {
       path: pathOf(before),
+      body: { without: armAlone.value?.log_import ?? null },
       patience_ms: PATIENCE_MS,
     });
   });
@@ -138,8 +154,11 @@ export async function diagnose(): Promise<DiagnosisPublic | null> {
 export async function forget(): Promise<void> {
   const before = log.value;
   clear();
-  if (before === null) return;
-  await ask('DELETE /api/imports/{log_import}', { path: pathOf(before) }).catch((error) => {
+  if (before !== null) await remove(before);
+}
+
+async function remove(left: ImportPublic): Promise<void> {
+  await ask('DELETE /api/imports/{log_import}', { path: pathOf(left) }).catch((error) => {
     if (!(error instanceof Refusal)) throw error; // it has gone by itself
   });
 }
@@ -159,11 +178,17 @@ async function attempted(act: () => Promise<void>): Promise<void> {
   } catch (error) {
     const flaws = error instanceof Refusal ? (error.problem.flaws ?? []) : [];
     refused.value = { flaws, notice: flaws.length > 0 ? null : noticeOf(error) };
-    if (error instanceof Refusal && error.said.code === 'imports-unknown') log.value = null;
+    if (error instanceof Refusal && error.said.code === 'imports-unknown')
+      forgetGone(error.said.parameters?.log_import);
   } finally {
     sending.value = null;
     identifying.value = false;
   }
+}
+
+/** The service has no import of that name any more. */
+function forgetGone(gone: unknown): void {
+  for (const each of [log, armAlone]) if (each.value?.log_import === gone) each.value = null;
 }
 
 /** Names of the cells, the one that is worked in first. */

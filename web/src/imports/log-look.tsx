@@ -10,11 +10,11 @@ const AXES = ['--series-x', '--series-y', '--series-z'];
 /** A robot has more joints than there are colours: those behind are dashed. */
 const DEGREES = 180 / Math.PI;
 
-/** The wrench, and below it the joints or where gravity points. */
+/** The wrench or the torques of the joints, and below them the joints or where gravity points. */
 export function LogLook({ preview }: { preview: LogPreview }) {
   const said = importWords.value;
   const running = words.value.running;
-  const { t_s, force_n, torque_n_m, joints_rad, down } = preview;
+  const { t_s, force_n, torque_n_m, joint_torques_n_m, joints_rad, down } = preview;
   const [force, torque] = [scaleOf('force'), scaleOf('torque')];
   return (
     <section class="stack log-look">
@@ -35,6 +35,14 @@ export function LogLook({ preview }: { preview: LogPreview }) {
         unit={torque.unit}
         file="torque"
       />
+      <Lines
+        title={`${said.jointTorques}, ${torque.unit}`}
+        t_s={t_s}
+        lines={joint_torques_n_m}
+        factor={torque.factor}
+        unit={torque.unit}
+        file="joint-torques"
+      />
       {joints_rad.length > 0 ? (
         <Lines title={said.joints} t_s={t_s} lines={joints_rad} factor={DEGREES} unit="°" file="joints" />
       ) : (
@@ -53,7 +61,9 @@ interface LinesProps {
   file: string;
 }
 
+/** Nothing where the log has none of these. */
 function Lines({ title, t_s, lines, factor, unit, file }: LinesProps) {
+  if (lines.length === 0) return null;
   const drawn: Line[] = lines.map((line, k) => ({
     label: line.name,
     colour: AXES[k % AXES.length] ?? '--ink',

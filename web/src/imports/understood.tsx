@@ -50,11 +50,20 @@ function rowsOfWrench(log: LogUnderstood): Row[] {
           : said.kept(kept, whole(rows_read), number(log.rate_hz, 0), number(log.lasts_s, 1)),
       note: leftOut && said.leftOut(whole(rows_repeated), whole(rows_outside)),
     },
-    { name: said.force, value: <Columns of={log.force} />, note: log.is_compensated && said.compensated },
-    { name: said.torque, value: <Columns of={log.torque} />, note: timeOf(clock) },
-    { name: said.signName, value: said.sign[log.sign], note: log.sign === -1 && said.turned },
-    { name: said.axesName, value: said.axes[log.axes], note: log.axes === 'base' && said.turnedIn },
+    ...rowsOfSensor(log),
     ...(mass_kg === null ? [] : [{ name: said.weight, value: spelt('mass', mass_kg, log.mass_std_kg) }]),
+  ];
+}
+
+/** None where no wrist sensor is logged. */
+function rowsOfSensor({ force, torque, sign, axes, clock, is_compensated }: LogUnderstood): Row[] {
+  const said = importWords.value;
+  if (force === null || torque === null || sign === null || axes === null) return [];
+  return [
+    { name: said.force, value: <Columns of={force} />, note: is_compensated && said.compensated },
+    { name: said.torque, value: <Columns of={torque} />, note: timeOf(clock) },
+    { name: said.signName, value: said.sign[sign], note: sign === -1 && said.turned },
+    { name: said.axesName, value: said.axes[axes], note: axes === 'base' && said.turnedIn },
   ];
 }
 
@@ -64,6 +73,8 @@ function rowsOfMotion(log: LogUnderstood): Row[] {
   const rows: Row[] = [
     { name: said.motion[log.motion], value: <Columns of={log.attitude} />, note: notes.join(' · ') },
   ];
+  if (log.joint_torques !== null)
+    rows.push({ name: said.jointTorques, value: <Columns of={log.joint_torques} /> });
   if (log.motion === 'joints')
     rows.push({ name: said.frames, value: `${log.base_frame} → ${log.sensor_frame}` });
   else

@@ -16,8 +16,11 @@ from core.errors import BadInput, BadRecording
 from core.recording.logs import conversion
 from core.recording.logs.conversion import Conversion
 from core.recording.logs.mapping import Mapping, change_mapping, read_mapping, write_mapping
+from core.recording.logs.proposal import propose_mappings
 from core.recording.logs.tables import open_log
 from core.recording.recording import Recording
+from tests.core.recording.logs.torque_log import ANSWERS, write_torque_log
+from tests.torque_recordings import make
 
 GRAVITY = np.array([0.0, 0.0, -9.81])
 WRENCH = {"time": "t", "force": ["fx", "fy", "fz"], "torque": ["tx", "ty", "tz"]}
@@ -237,3 +240,22 @@ def test_a_mapping_is_written_as_it_is_read_and_changed_by_its_keys(tmp_path: Pa
     for changes in ({"wrench.sing": "1"}, {"wrench.sign": "up"}, {"wrench.sign.x": "1"}):
         with pytest.raises(BadInput):
             change_mapping(first, changes)
+
+
+def test_a_log_of_joints_and_torques_is_a_recording_of_its_own_rows(tmp_path: Path) -> None:
+    truth = make(1).loaded
+    file, urdf = write_torque_log(tmp_path, "arm", truth)
+    (mapping,) = propose_mappings(open_log([file]), ANSWERS, urdf.read_text())
+    mapping = change_mapping(mapping, {"joints.urdf": '"arm.urdf"', "joints.file": '"arm.csv"'})
+    found = convert(tmp_path, ["arm.csv"], mapping, tmp_path).recording()
+    assert found.wrench is None
+    assert found.robot == truth.robot
+    for name in ("t", "q", "tau"):
+        assert np.allclose(getattr(found, name), getattr(truth, name), atol=1e-9)
+
+
+def test_a_mapping_with_neither_wrench_nor_torques_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "map.toml").write_text('[joints]\nnames = ["a"]\nbase_frame = "b"\nsensor_frame = "c"\nposition = ["q"]\n')
+    with pytest.raises(BadInput) as refused:
+        read_mapping(tmp_path / "map.toml")
+    assert refused.value.message.code == "import-nothing-felt"

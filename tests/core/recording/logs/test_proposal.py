@@ -9,6 +9,8 @@ from core.recording.logs.mapping import Mapping
 from core.recording.logs.proposal import propose_mappings
 from core.recording.logs.question import OpenQuestion
 from core.recording.logs.tables import open_log
+from tests.core.recording.logs.torque_log import ANSWERS
+from tests.torque_recordings import make
 
 KUKA = Path(__file__).parents[4] / "docs" / "logs" / "kuka-med14"
 UR = ",".join(["timestamp", *(f"actual_TCP_pose_{k}" for k in range(6)), *(f"actual_TCP_force_{k}" for k in range(6))])
@@ -111,3 +113,20 @@ def test_units_in_the_names_are_taken(tmp_path: Path, header: str, units: tuple[
         first.pose.angle_unit,
         first.pose.position_unit,
     ) == units
+
+
+def test_joints_with_their_torques_need_no_wrist_sensor(tmp_path: Path) -> None:
+    urdf = make(1).loaded.robot.urdf
+    header = ",".join(["t", *(f"q{k}" for k in range(6)), *(f"tau{k}" for k in range(6))])
+    (found,) = propose_mappings(open_log([tmp_path / name for name in log(tmp_path, header)]), ANSWERS, urdf)
+    assert found.wrench is None
+    assert found.joints is not None
+    assert found.joints.torque == tuple(f"tau{k}" for k in range(6))
+    assert (found.joints.base_frame, found.joints.sensor_frame) == ("base", "tool")
+
+
+def test_joints_without_torques_do(tmp_path: Path) -> None:
+    header = ",".join(["t", *(f"q{k}" for k in range(6))])
+    opened = open_log([tmp_path / name for name in log(tmp_path, header)])
+    with pytest.raises(BadRecording, match=r"wrench\.force"):
+        propose_mappings(opened, ANSWERS, make(1).loaded.robot.urdf)
