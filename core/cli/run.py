@@ -41,6 +41,7 @@ from core.planning.starting_point import starting_point
 from core.planning.stops import Stops
 from core.procedure.identify import identify
 from core.procedure.progress import watch
+from core.recording.folder import read_recording
 from core.report.page import write_report
 from core.requirement.target import parse_target
 from core.robot.model import RobotModel
@@ -70,6 +71,10 @@ def run(
             "--empty", help="The motions that the payload is identified with, without it: for heft identify LOADED --without EMPTY."
         ),
     ] = False,
+    without: Annotated[
+        Path | None,
+        typer.Option(metavar="EMPTY", help="A recording of --empty: the answer is then from the joints' torques in both."),
+    ] = None,
     out: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Folder to make, or an empty one, for recording, result.json and report.")
     ] = None,
@@ -88,12 +93,15 @@ def run(
     """
     loaded = limit_speed(load_cell(find_cell(cell)), speed, "--speed")
     scope = scope_of(axes, holds_only=holds_only)
-    if experiment is not None and (start is not None or scope != WHOLE or purpose != Purpose.wrist_sensor or empty):
+    if experiment is not None and (start is not None or scope != WHOLE or purpose != Purpose.wrist_sensor or empty or without):
         raise BadInput("--experiment", "cli-experiment-beside-others")
     wanted = None if target is None else parse_target(target)
     if experiment is not None and wanted is not None:
         raise BadInput("--target", "target-beside-experiment")
+    if without is not None and (empty or wanted is not None):
+        raise BadInput("--without", "torques-without-beside", option="--empty" if empty else "--target")
     stops = stops_for(purpose, scope, wanted)
+    alone = None if without is None else read_recording(without)
     asked, before = (None, None) if experiment is None else read_request(experiment, recording, loaded)
     simulated = is_simulated(loaded)
     if start is not None and not simulated:
@@ -128,6 +136,7 @@ def run(
         twin=twin,
         target=wanted,
         clock_waits=simulated and not real_time,
+        without=alone,
     )
     outcome = watch(steps, messages)
     for remark in session.remarks():

@@ -27,7 +27,7 @@ from core.procedure.recorder import Recorder, build_estimator
 from core.procedure.run import Planning, Run
 from core.procedure.target_watch import WatchHere
 from core.recording.folder import write_recording
-from core.recording.recording import Recording, check_same_robot
+from core.recording.recording import Recording, check_arm_alone, check_same_robot
 from core.requirement.target import CellRequirement, Target, TargetCheck
 from core.requirement.verdict import judge_estimate
 from core.robot.model import RobotModel
@@ -54,6 +54,7 @@ def identify(
     twin: Twin = NOMINAL,
     target: Target | None = None,
     clock_waits: bool = True,
+    without: Recording | None = None,
 ) -> Generator[Event, None, Outcome]:
     """Finds out what the robot carries: plans, carries the plan out, estimates.
 
@@ -73,10 +74,11 @@ def identify(
         out: folder to make for the recording; nothing is written where absent.
         twin: of the cell; the estimate accounts for its effects.
         target: how exactly; what is not needed for it is left out, and the robot goes home.
+        without: a recording of the arm without the payload, to tell it by the joints' torques; only read.
         clock_waits: whether the session's clock stands while nobody asks it, so that estimating on the way costs no robot time.
 
     Raises:
-        BadInput: the recording that is continued is not of this cell's robot as it stands.
+        BadInput: the recording that is continued, or the one without the payload, is not of this cell's robot as it stands.
         Refused: the cell leaves no safe way; the robot has not moved.
         Stopped: the guard stopped the robot more often than may be; the recording is written.
         Interrupted: Ctrl-C; the robot is stopped and the recording written.
@@ -85,6 +87,8 @@ def identify(
     if before is not None:
         check_same_robot(before, robot.description, cell.gravity_in_base)
         payload = payload or before.payload
+    if without is not None:
+        check_arm_alone(without, robot.description, cell.gravity_in_base)
     log = SampleLog(cell, robot, payload=payload, reference=reference, before=before, complete=session.complete)
     recorder = Recorder(log, build_estimator(log, session.period))
     stops = stops or PROCEDURE
@@ -95,7 +99,7 @@ def identify(
     watch = None if check is None else WatchHere(check, twin, clock_waits=clock_waits)
     run = Run(cell, robot, session, payload_box, planning, recorder, watch=watch)
     plan = yield from run.make_plan(np.array(cell.robot.home_rad) if start is None else start)
-    return (yield from move_and_estimate(run, plan, twin, out))
+    return (yield from move_and_estimate(run, plan, twin, out, without))
 
 
 def carry_out(
@@ -121,12 +125,14 @@ def carry_out(
     return (yield from move_and_estimate(run, plan, twin, out))
 
 
-def move_and_estimate(run: Run, plan: Plan, twin: Twin, out: Path | None) -> Generator[Event, None, Outcome]:
+def move_and_estimate(
+    run: Run, plan: Plan, twin: Twin, out: Path | None, without: Recording | None = None
+) -> Generator[Event, None, Outcome]:
     """Moves, closes the recording whatever ended the motion, and estimates.
 
     Args:
         plan: from where the robot stands.
-        twin, out: as in `identify`.
+        twin, out, without: as in `identify`.
     """
     log = run.recorder.log
     try:
@@ -143,7 +149,7 @@ def move_and_estimate(run: Run, plan: Plan, twin: Twin, out: Path | None) -> Gen
     yield from _write_log(log, out)
     recording = log.recording()
     began = time.perf_counter()
-    identification = identify_recording(recording, twin)
+    identification = identify_recording(recording, twin, without)
     estimate_s = time.perf_counter() - began
     requirement = judge_estimate(run.cell, run.robot, identification.estimate)
     target = run.early_end.answer_target(identification.estimate)

@@ -84,7 +84,7 @@ REFUSALS: dict[str, tuple[str, ...]] = {
     "DELETE /api/control/{cell}/request": CELL,
     "POST /api/runs": (
         *CELL, "runs-cell-without-payload", "runs-payload-unknown", "library-mass-range", "runs-speed-not-allowed",
-        "runs-start-of-other-robot", *RUN, "runs-not-empty", "runs-not-together",
+        "runs-start-of-other-robot", *RUN, "torques-run-not-empty", "torques-not-together",
         "runs-no-recording", *REPEATED,
     ),
     "GET /api/runs/{run}": RUN,

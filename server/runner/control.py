@@ -24,7 +24,7 @@ from core.procedure.outcome import Outcome
 from core.procedure.recorder import build_estimator
 from core.procedure.run import Run
 from core.recording.folder import read_recording
-from core.recording.recording import Recording, check_same_robot
+from core.recording.recording import Recording, check_arm_alone, check_same_robot
 from core.report.page import write_report
 from core.robot.model import RobotModel
 from core.sessions.leased import Lease, LeasedSession
@@ -77,9 +77,11 @@ def _report_failure(error: HeftError) -> Failed:
 
 
 def _stops_of(order: Order) -> Stops:
-    if order.continues is None or order.continues.stops is None:
-        return Stops.of_procedure(order.scope, order.timing, order.mass_guess_kg, target=order.target)
-    return Stops(order.continues.stops)
+    if order.continues is not None and order.continues.stops is not None:
+        return Stops(order.continues.stops)
+    if order.identify_from == "joint_torques":
+        return Stops.of_joint_torques(order.scope.axes)
+    return Stops.of_procedure(order.scope, order.timing, order.mass_guess_kg, target=order.target)
 
 
 def _carry_out(
@@ -90,16 +92,20 @@ def _carry_out(
     pace = RealTime() if order.pace == "real_time" else AsFastAsPossible()
     twin = read_twin(order.cell)
     before = None if order.continues is None else read_recording(order.continues.recording)
-    simulation = Simulation(_find_carried(order), order.seed, pace, twin, _find_start(order, before))
+    simulation = Simulation(_find_carried(order), order.seed + order.empty, pace, twin, _find_start(order, before))
     session = LeasedSession(open_robot_session(order.cell, simulation), lease)
     start = session.find_start()
     model = RobotModel.of_cell(order.cell)
+    without = None if order.without is None else read_recording(order.without)
+    if without is not None:
+        check_arm_alone(without, model.description, order.cell.gravity_in_base)
     done = 0
     if order.continues is not None and before is not None:
         check_same_robot(before, model.description, order.cell.gravity_in_base)
         done = order.continues.done or 0
+    payload, reference = (None, None) if order.empty else (order.payload, order.known)
     log = SampleLog(
-        order.cell, model, payload=order.payload, reference=order.known, before=before, order=order.reference, complete=session.complete
+        order.cell, model, payload=payload, reference=reference, before=before, order=order.reference, complete=session.complete
     )  # fmt: skip
     online = build_estimator(log, session.period)
     elsewhere = PlanningElsewhere(
@@ -115,7 +121,7 @@ def _carry_out(
     with SampleStream(order.folder) as stream:
         run = Run(order.cell, model, session, order.payload_box, elsewhere, DiskRecorder(log, online, stream), done=done, watch=watch)
         plan = _wait_for_release(run, start, order, lease, listener, speaker)
-        procedure = move_and_estimate(run, plan, twin, order.folder / RECORDING)
+        procedure = move_and_estimate(run, plan, twin, order.folder / RECORDING, without)
         try:
             outcome = _pump(procedure, run, LiveView(run, online, speaker), lease, listener, speaker)
         finally:
@@ -140,8 +146,10 @@ def _carry_out(
     speaker.tell(Done(result))
 
 
-def _find_carried(order: Order) -> InertialParameters:
-    """What the simulated robot carries."""
+def _find_carried(order: Order) -> InertialParameters | None:
+    """What the simulated robot carries; None for nothing."""
+    if order.empty:
+        return None
     if order.known is not None:
         return order.known.parameters
     return even_load(order.payload_box, order.mass_guess_kg, Message.of("planning-load-guessed")).parameters

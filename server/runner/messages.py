@@ -21,6 +21,7 @@ from server.runner.live_schemas import LiveBatch
 from server.runner.plan_schemas import RunPlan
 
 Pace = Literal["real_time", "as_fast_as_possible"]
+Evidence = Literal["wrist_sensor", "joint_torques"]
 
 
 @dataclass(frozen=True)
@@ -56,6 +57,9 @@ class Order:
         start_rad: where the robot stands when a procedure begins; at home where None.
         reference: what the plant calls it.
         target: how exactly the payload is wanted to be known; None for the whole plan.
+        identify_from: what the motions are to show the payload to.
+        empty: whether the robot makes them without the payload.
+        without: folder of such a recording, which the torques of this one are compared with; None for none.
     """
 
     run: str
@@ -75,6 +79,9 @@ class Order:
     start_rad: tuple[float, ...] | None = None
     reference: OrderReference = NO_ORDER
     target: Target | None = None
+    identify_from: Evidence = "wrist_sensor"
+    empty: bool = False
+    without: Path | None = None
 
 
 @dataclass(frozen=True)

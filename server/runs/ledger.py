@@ -46,11 +46,11 @@ class CarriedPayload(NamedTuple):
     """A payload of the tool library as a run carries it, whatever becomes of it in the library.
 
     Args:
-        saved: its identifier.
+        saved: its identifier; None of a run without it, which is none of its runs.
         known: what is known of it; None where that is its box alone.
     """
 
-    saved: str
+    saved: str | None
     known: Payload | None
 
 
@@ -72,11 +72,12 @@ def add_run(
     Args:
         carried: the payload of the tool library; None where it is one of cell.toml.
     """
-    row = RunRow(id=new_id(now), cell=order.cell, payload=order.payload, order=order.model_dump_json(), state=State.RESETTING)
+    payload = None if order.empty else order.payload
+    row = RunRow(id=new_id(now), cell=order.cell, payload=payload, order=order.model_dump_json(), state=State.RESETTING)
     row.order_id, row.work_order, row.serial_number = order.order_id, order.work_order, order.serial_number
     row.requested_by, row.requested_at = who, now
     if carried is not None:
-        row.saved_payload = carried.saved
+        row.saved_payload = None if order.empty else carried.saved
         row.known_payload = None if carried.known is None else carried.known.model_dump_json()
     row.released = row.aborted = False
     row.motion = None if motion is None else motion.model_dump_json()
@@ -106,7 +107,7 @@ def load_run(db: Session, run: str) -> RunRow:
 
 def read_carried(row: RunRow) -> CarriedPayload | None:
     """The payload of the tool library that a run carries; None where it is one of cell.toml."""
-    if row.saved_payload is None:
+    if row.saved_payload is None and row.known_payload is None:
         return None
     return CarriedPayload(row.saved_payload, None if row.known_payload is None else Payload.model_validate_json(row.known_payload))
 

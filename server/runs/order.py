@@ -14,7 +14,8 @@ from core.recording.order_reference import OrderReference
 from server.cells.payloads import check_saved, find_expected_mass, find_saved, list_saved, read_box, read_known_payload
 from server.http.errors import Conflict
 from server.runner.messages import Continuation, Order
-from server.runs.ledger import CarriedPayload, motion_of, read_carried
+from server.runner.run_folder import RECORDING
+from server.runs.ledger import CarriedPayload, load_run, motion_of, read_carried
 from server.runs.schemas import Motion, ProposedMotion, RestOfRun, RunCreate, RunOrder
 from server.runs.tables import RunRow
 
@@ -28,8 +29,7 @@ def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
     order = RunOrder.model_validate_json(row.order)
     motion = motion_of(row)
     payload = order.payload or next(iter(cell.payloads), "")  # orders of older services may name none
-    carried = read_carried(row)
-    known = _load_payload(cell, payload) if carried is None else carried.known
+    known = _find_known(row, order, cell, payload)
     return Order(
         run=row.id,
         cell=slow_down(cell, order),
@@ -48,6 +48,9 @@ def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
         start_rad=order.start_rad,
         reference=reference_of(row),
         target=None if isinstance(motion, ProposedMotion) else order.target,
+        identify_from=order.identify_from,
+        empty=order.empty,
+        without=None if order.without is None or isinstance(motion, ProposedMotion) else folder.parent / order.without / RECORDING,
     )
 
 
@@ -66,14 +69,47 @@ def check_order(order: RunOrder, cell: Cell) -> None:
     """What is asked for goes with the cell; whether the robot may be where it is said to stand is for planning to say.
 
     Raises:
-        Conflict: a speed that the cell does not allow, or not one joint position for each joint.
+        Conflict: a speed that the cell does not allow, not one joint position for each joint, or joint torques from less than a whole run
+            with the payload.
     """
+    for key, asked in (("identify_from", order.identify_from == "joint_torques"), ("without", order.without is not None)):
+        others = {"target": order.target is not None, "rotations": not order.rotations, "empty": order.empty and key == "without"}
+        beside = next((option for option, given in others.items() if given), None)
+        if asked and beside is not None:
+            raise Conflict("torques-not-together", key=key, option=beside)
     slowest, limit = find_speed_range(cell)
     if order.speed_m_s is not None and not slowest <= order.speed_m_s <= limit:
         raise Conflict("runs-speed-not-allowed", speed_m_s=order.speed_m_s, least_m_s=slowest, most_m_s=limit)
     count = len(cell.robot.home_rad)
     if order.start_rad is not None and len(order.start_rad) != count:
         raise Conflict("runs-start-of-other-robot", given=len(order.start_rad), joints=count)
+
+
+def check_compared(db: Session, order: RunOrder, recordings: Path) -> None:
+    """The run that an order wants its own compared with was one without the payload, in the same cell.
+
+    Args:
+        recordings: folder of all runs' folders.
+
+    Raises:
+        NotFound: there is none.
+        Conflict: it was another, or left no recording.
+    """
+    if order.without is None:
+        return
+    row = load_run(db, order.without)
+    if row.cell != order.cell or not RunOrder.model_validate_json(row.order).empty:
+        raise Conflict("torques-run-not-empty", run=row.id, cell=order.cell)
+    if not (recordings / row.id / RECORDING).is_dir():
+        raise Conflict("runs-no-recording", run=row.id, state=row.state)
+
+
+def _find_known(row: RunRow, order: RunOrder, cell: Cell, name: str) -> Payload | None:
+    """What is known of the payload that a run is planned for; None where its box alone is."""
+    carried = read_carried(row)
+    if carried is not None:
+        return carried.known
+    return None if order.empty and name not in cell.payloads else _load_payload(cell, name)
 
 
 def _load_payload(cell: Cell, name: str) -> Payload:

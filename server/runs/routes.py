@@ -20,7 +20,7 @@ from server.runs import ledger as run_ledger
 from server.runs.answer import answer_now, answer_run
 from server.runs.conductor import ConductorDep
 from server.runs.lease import ControlDep
-from server.runs.order import check_order, complete_payload
+from server.runs.order import check_compared, check_order, complete_payload
 from server.runs.packml import Command, RunOutcome, State
 from server.runs.queue import IdempotencyKeyHeader, RunRequest, queue_once
 from server.runs.reason import explain_cancellation
@@ -39,6 +39,7 @@ def queue_run(
     store: StoreDep,
     cells: CellsDep,
     conductor: ConductorDep,
+    settings: SettingsDep,
     caller: CallerDep,
     now: NowDep,
     idempotency_key: IdempotencyKeyHeader = None,
@@ -48,6 +49,7 @@ def queue_run(
     cell = cells.read(order.cell).cell
     with store.read() as db:
         completed, carried = complete_payload(db, order, cell)
+        check_compared(db, completed, settings.recordings_folder)
     check_order(completed, cell)
     return queue_once(store, conductor, response, RunRequest(caller.who, now, idempotency_key, body), completed, carried=carried)
 

@@ -15,7 +15,7 @@ from core.planning.stop import Stop
 from core.requirement.target import Target
 from core.words.message import Message
 from server.http.schemas import Answer, Name, RequestBody
-from server.runner.messages import Pace
+from server.runner.messages import Evidence, Pace
 from server.runs.packml import JobState, RunOutcome, State
 from server.runs.result_summary import ResultSummary
 
@@ -66,6 +66,23 @@ class RunOrder(RequestBody):
         default="xyz",
         description="Sensor axes to hold along gravity and to turn about, in the order x, y, z; fewer where one has no room.",
         examples=["xyz"],
+    )
+    identify_from: Evidence = Field(
+        default="wrist_sensor",
+        description="What the motions show the payload to. `joint_torques`: a wave of all joints at each of `axes`, as tells most of the "
+        "payload through their torques; without `target` and with `rotations`.",
+        examples=["joint_torques"],
+    )
+    empty: bool = Field(
+        default=False,
+        description="True for the same motions without the payload, which has to be taken off before; the run then names no payload.",
+        examples=[False],
+    )
+    without: Annotated[str, StringConstraints(max_length=40)] | None = Field(
+        default=None,
+        description="A run of this cell with `empty`: the payload is then identified from the joints' torques in both recordings, without "
+        "`target`; from this run's own where null.",
+        examples=["019ab1c0a1b2c3d4e5f607"],
     )
     rotations: bool = Field(default=True, description="False for holds alone, which tell mass and centre of mass.")
     speed_m_s: float | None = Field(
@@ -145,7 +162,7 @@ class RunPublic(Answer):
     run: str = Field(description="Identifier of the run; sorts by the time of its making.", examples=["019ab1c2d3e44f1c2a9be7"])
     cell: str = Field(description="Name of the cell.", examples=["lwr4_bench"])
     payload: str | None = Field(
-        description="Name of the payload; null in runs of older services that named none.", examples=["steel_block"]
+        description="Name of the payload; null in runs without it, and of older services that named none.", examples=["steel_block"]
     )
     saved_payload: str | None = Field(
         description="Identifier of that payload in the cell's tool library, also once it is renamed or gone; null where it is one of "

@@ -24,14 +24,15 @@ def run(*arguments: object) -> str:
 def test_the_same_motions_with_the_payload_and_without_it_tell_what_it_is(tmp_path: Path) -> None:
     loaded, empty = tmp_path / "loaded", tmp_path / "empty"
     motions = ("run", "lwr4_bench", "--payload", "steel_block", "--for", "joint-torques", "--axes", "x")
-    run(*motions, "--out", loaded)
     run(*motions, "--empty", "--out", empty)
+    run(*motions, "--without", empty, "--out", loaded)
     with_it, without_it = (read_result_file(folder / "result.json") for folder in (loaded, empty))
     assert with_it.plan_sha256 == without_it.plan_sha256
     assert (with_it.payload, without_it.payload, without_it.reference) == ("steel_block", None, None)
     run("identify", loaded, "--without", empty, "--json", tmp_path / "both.json")
     found = read_result_file(tmp_path / "both.json")
     assert found.estimate is not None and found.reference is not None
+    assert with_it.estimate == found.estimate, "the run has answered from both already"
     assert found.estimate.determined[:4] == [True] * 4
     known = [k for k in range(10) if found.estimate.determined[k]]
     z = {
@@ -45,6 +46,13 @@ def test_joint_torques_go_with_neither_holds_alone_nor_a_target() -> None:
         refused = CliRunner().invoke(app, ["plan", "lwr4_bench", "--for", "joint-torques", *option]).exception
         assert isinstance(refused, BadInput)
         assert option[0] in str(refused)
+
+
+def test_what_is_compared_is_a_whole_run_with_the_payload() -> None:
+    for option in (("--empty",), ("--target", "mass=1%")):
+        refused = CliRunner().invoke(app, ["run", "lwr4_bench", "--without", "alone", *option]).exception
+        assert isinstance(refused, BadInput)
+        assert (refused.message.code, option[0] in str(refused)) == ("torques-without-beside", True)
 
 
 def test_an_experiment_is_made_as_it_is() -> None:

@@ -12,6 +12,7 @@ from core.planning.settings import Scope
 from core.requirement.target import Target
 from server.http.errors import Conflict
 from server.runs import ledger as run_ledger
+from server.runs.ledger import CarriedPayload
 from server.runs.order import check_order, order_of
 from server.runs.schemas import RunCreate
 from server.service import Service
@@ -38,6 +39,40 @@ def test_a_target_goes_along_to_the_control_process_and_to_the_rest_of_the_run(s
     assert told(service, asked).target == Target(mass_share=0.001)
     assert told(service, RunCreate(cell=CELL, payload="steel_block")).target is None
     assert told(service, RunCreate.model_validate({"cell": CELL, "payload": "steel_block", "target": {}})).target is None
+
+
+def test_motions_for_joint_torques_and_those_without_the_payload_are_told_to_the_control_process(service: Service) -> None:
+    plain = told(service, RunCreate(cell=CELL, payload="steel_block"))
+    assert (plain.identify_from, plain.empty) == ("wrist_sensor", False)
+    order = told(service, RunCreate(cell=CELL, payload="steel_block", identify_from="joint_torques", empty=True))
+    assert (order.identify_from, order.empty) == ("joint_torques", True)
+    assert order.known == plain.known, "planned for the payload, so that the motions are the same with and without it"
+
+
+def test_a_run_without_the_payload_is_none_of_its_runs_and_is_planned_for_it_all_the_same(service: Service) -> None:
+    known = LWR.payloads["steel_block"]
+    asked = RunCreate(cell=CELL, payload="kept", empty=True, payload_box=known.box)
+    with service.store.write() as db:
+        for carried in (CarriedPayload("0123", known), CarriedPayload("0123", None)):
+            row = run_ledger.add_run(db, asked, "account:anna", service.now(), carried=carried)
+            assert (row.payload, row.saved_payload) == (None, None)
+            order = order_of(row, LWR, Path("run"))
+            assert (order.payload, order.known, order.payload_box) == ("kept", carried.known, known.box)
+
+
+@pytest.mark.parametrize("more", [{"rotations": False}, {"target": {"mass_share": 0.001}}])
+def test_motions_for_joint_torques_are_made_whole(more: dict[str, object]) -> None:
+    asked = {"cell": CELL, "payload": "steel_block", "identify_from": "joint_torques", **more}
+    with pytest.raises(Conflict, match=f"identify_from does not go with {next(iter(more))}"):
+        check_order(RunCreate.model_validate(asked), LWR)
+
+
+@pytest.mark.parametrize("more", [{"empty": True}, {"target": {"mass_share": 0.001}}])
+def test_only_a_whole_run_with_the_payload_is_compared_with_one_without(service: Service, more: dict[str, object]) -> None:
+    asked = RunCreate.model_validate({"cell": CELL, "payload": "steel_block", "without": "0123"})
+    assert told(service, asked).without == Path("0123") / "recording"
+    with pytest.raises(Conflict, match=f"without does not go with {next(iter(more))}"):
+        check_order(RunCreate.model_validate(asked.model_dump() | more), LWR)
 
 
 @pytest.mark.parametrize("target", [{"mass_share": 0.0}, {"mass_share": 1.5}, {"centre_of_mass_m": -1e-3}, {"weight": 0.1}])

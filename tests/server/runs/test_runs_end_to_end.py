@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 
 from core.cell.folder import load_cell
+from core.estimation.identification import identify_recording
 from core.recording.folder import read_recording, recording_sha256
 from core.robot.model import RobotModel
 from tests.server.real_service import ROOT, Console, RealService, wait_for
@@ -114,6 +115,32 @@ def test_a_run_with_a_target_says_how_far_it_met_it_and_what_it_left_out(console
     if reached:  # a computer that has other things to do answers when the robot is home
         assert answer["target"]["left_out"]["made"] == reached[0]["made"]
         assert answer["seconds"]["robot"] == pytest.approx(planned_s - answer["target"]["left_out"]["saved_s"], abs=0.5)
+
+
+@pytest.mark.thorough
+def test_a_run_without_the_payload_and_one_with_it_make_the_same_motions_and_the_joints_tell_the_payload(service, console):
+    plans, runs = [], []
+    for empty in (True, False):
+        runs.append(console.queue(identify_from="joint_torques", axes="x", empty=empty, without=None if empty else runs[0]))
+        console.wait(runs[-1], "Idle", seconds=180)
+        plans.append(console.http.get(f"/api/runs/{runs[-1]}/plan").json()["plan"])
+        assert console.release(runs[-1]).status_code == 200
+        done = console.finish(runs[-1])
+        assert done["state"] == "Complete", done
+    assert [part["part"].split()[0] for part in plans[0]["paths"]] == ["transfer", "wave", "home"]
+    assert plans[0]["plan_digest"] == plans[1]["plan_digest"]
+    alone, loaded = (read_recording(service.data / "recordings" / run / "recording") for run in runs)
+    assert (alone.payload, loaded.payload) == (console.run(runs[0])["payload"], "steel_block") == (None, "steel_block")
+    answer = console.http.get(f"/api/runs/{runs[1]}/result").json()
+    estimate = identify_recording(loaded, without=alone).estimate
+    assert estimate is not None
+    np.testing.assert_allclose(answer["parameters"][0], estimate.phi[0], rtol=1e-6)
+    truth = load_cell(ROOT / "cells" / "lwr4_bench").payloads["steel_block"].parameters
+    assert abs(answer["mass_kg"] - truth.mass) < 3.0 * answer["mass_std_kg"]
+    loaded_run = {"cell": "lwr4_bench", "payload": "steel_block", "without": runs[1]}
+    refused = console.http.post("/api/runs", json=loaded_run)
+    assert (refused.status_code, refused.json()["type"]) == (409, "/problems/torques-run-not-empty")
+    assert console.http.post("/api/runs", json=loaded_run | {"without": "0123"}).json()["type"] == "/problems/runs-unknown"
 
 
 def check_downloads(console: Console, run: str, folder: Path) -> None:

@@ -80,7 +80,7 @@ function Listed({ run, shown }: { run: RunPublic; shown: Column[] }) {
         <a href={to('runs', run.run)}>{when}</a>
         <StateMark state={run.state} />
       </th>
-      <td>{run.payload}</td>
+      <td>{run.order.empty ? words.value.setup.empty : run.payload}</td>
       {shown.includes('serial_number') && <td class="identifier">{serial_number}</td>}
       {shown.includes('order_id') && (
         <td class="identifier">

@@ -137,7 +137,7 @@ function factsOf(run: RunPublic): Fact[] {
     [said.serialNumber, named.serial_number],
     [said.sender, senderOf(run.requested_by)],
     [said.sent, moment(run.requested_at)],
-    [said.payload, run.payload],
+    [said.payload, run.order.empty ? words.value.setup.empty : run.payload],
   ];
   const facts = given.flatMap(([name, value]) => (value ? [{ name, value }] : []));
   const kind = run.diagnosis ? said.proposed : run.continues ? said.rest : null;

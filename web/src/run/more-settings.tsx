@@ -1,11 +1,25 @@
+import type { Signal } from '@preact/signals';
 import { cell } from '../cells/cells';
 import { NumberField } from '../ui/number-field';
 import { Select } from '../ui/select';
-import { scaleOf, spelt } from '../ui/units';
+import { moment, scaleOf, spelt } from '../ui/units';
 import { words } from '../words';
-import { axes, effort, rotations, SLOWEST_M_S, speed, speed_m_s, untilRequired } from './order';
+import {
+  axes,
+  effort,
+  empty,
+  evidence,
+  rotations,
+  SLOWEST_M_S,
+  speed,
+  speed_m_s,
+  untilRequired,
+  without,
+} from './order';
+import { runs } from './runs';
 
 const AXES = ['x', 'y', 'z'];
+const EVIDENCE = ['wrist_sensor', 'joint_torques'] as const;
 const EFFORTS = [1, 2, 4, 8, 16];
 
 /** What few people change of a run: folded away until it is wanted. */
@@ -16,11 +30,24 @@ export function MoreSettings() {
   return (
     <details class="others more-settings">
       <summary>{said.more}</summary>
+      <div class="evidence">
+        <Select
+          label={said.evidence}
+          options={EVIDENCE.map((each) => [each, said.evidences[each]])}
+          chosen={evidence.value}
+          choose={(chosen) => {
+            evidence.value = EVIDENCE.find((each) => each === chosen) ?? 'wrist_sensor';
+          }}
+        />
+        <Tick label={said.empty} chosen={empty} />
+        <ComparedRun />
+        <p class="hint">{said.evidenceHint}</p>
+      </div>
       <fieldset id="field-axes">
         <legend>{said.axes}</legend>
         <div class="three">
           {AXES.map((axis) => (
-            <label key={axis}>
+            <label key={axis} class="option">
               <input type="checkbox" checked={axes.value.includes(axis)} onChange={() => toggle(axis)} />
               <span>{axis}</span>
             </label>
@@ -30,34 +57,20 @@ export function MoreSettings() {
           {axes.value === '' ? said.noAxis : said.axesHint}
         </p>
       </fieldset>
-      <fieldset>
-        <legend>{said.rotations}</legend>
-        <label>
-          <input
-            type="checkbox"
-            checked={rotations.value}
-            onChange={({ currentTarget }) => {
-              rotations.value = currentTarget.checked;
-            }}
-          />
-          <span>{said.turn}</span>
-        </label>
-        <p class="hint">{said.rotationsHint}</p>
-      </fieldset>
-      <fieldset>
-        <legend>{said.target}</legend>
-        <label>
-          <input
-            type="checkbox"
-            checked={untilRequired.value}
-            onChange={({ currentTarget }) => {
-              untilRequired.value = currentTarget.checked;
-            }}
-          />
-          <span>{said.untilRequired}</span>
-        </label>
-        <p class="hint">{said.targetHint}</p>
-      </fieldset>
+      {evidence.value === 'wrist_sensor' && (
+        <>
+          <fieldset>
+            <legend>{said.rotations}</legend>
+            <Tick label={said.turn} chosen={rotations} />
+            <p class="hint">{said.rotationsHint}</p>
+          </fieldset>
+          <fieldset>
+            <legend>{said.target}</legend>
+            <Tick label={said.untilRequired} chosen={untilRequired} />
+            <p class="hint">{said.targetHint}</p>
+          </fieldset>
+        </>
+      )}
       <fieldset id="field-speed">
         <legend>
           {said.slower}, {scaleOf('speed').unit}
@@ -90,6 +103,41 @@ export function MoreSettings() {
         <p class="hint">{said.effortHint}</p>
       </fieldset>
     </details>
+  );
+}
+
+/** The run without the payload that the joints' torques are compared with, where there is one in this cell. */
+function ComparedRun() {
+  const known = (runs.value ?? []).filter((run) => run.order.empty && run.outcome === 'completed');
+  if (evidence.value === 'wrist_sensor' || empty.value || known.length === 0) return null;
+  const said = words.value.setup;
+  return (
+    <Select
+      label={said.compared}
+      options={[
+        ['', said.none],
+        ...known.map((run): [string, string] => [run.run, moment(run.requested_at)]),
+      ]}
+      chosen={without.value}
+      choose={(run) => {
+        without.value = run;
+      }}
+    />
+  );
+}
+
+function Tick({ label, chosen }: { label: string; chosen: Signal<boolean> }) {
+  return (
+    <label class="option">
+      <input
+        type="checkbox"
+        checked={chosen.value}
+        onChange={({ currentTarget }) => {
+          chosen.value = currentTarget.checked;
+        }}
+      />
+      <span>{label}</span>
+    </label>
   );
 }
 

@@ -18,6 +18,11 @@ export const axes = signal('xyz');
 export const rotations = signal(true);
 export const speed = signal('');
 export const effort = signal(1);
+/** What the payload is to be identified from, and whether it is off. */
+export const evidence = signal<NonNullable<RunCreate['identify_from']>>('wrist_sensor');
+export const empty = signal(false);
+/** The run without the payload that this one is compared with; '' for none. */
+export const without = signal('');
 /** Whether the run ends as soon as the cell's requirement is met. */
 export const untilRequired = signal(false);
 
@@ -52,6 +57,10 @@ effect(() => {
   const known = (library.value ?? []).map(({ name }) => name);
   if (library.value === null || cell.value === null || known.includes(tool.peek())) return;
   tool.value = Object.keys(cell.value.payloads ?? {})[0] ?? known[0] ?? '';
+});
+const cellName = computed(() => cell.value?.name);
+effect(() => {
+  if (cellName.value) without.value = ''; // it is a run of another cell
 });
 /** What the chosen tool puts into the fields; the library is read again and again, and what is typed meanwhile stays. */
 const chosenFields = computed(() => {
@@ -102,20 +111,27 @@ export function takeOrder(asked: RunOrder): void {
   speed.value = asked.speed_m_s == null ? '' : written(asked.speed_m_s, 'speed');
   effort.value = asked.effort ?? effort.value;
   untilRequired.value = asked.target?.requirement ?? false;
+  evidence.value = asked.identify_from ?? 'wrist_sensor';
+  empty.value = asked.empty ?? false;
+  without.value = asked.without ?? '';
 }
 
 /** What is to be identified, as the fields say; null while they cannot be read. */
 export const order = computed<RunCreate | null>(() => {
   if (unfit.value !== null || cell.value === null || mass_kg.value === null) return null;
+  const whole = evidence.value === 'joint_torques'; // what the joints are to feel is no rotation, and is made to its end
   return {
     cell: cell.value.name,
     payload: tool.value,
     payload_box: typed_box.value?.edited ? typed_box.value.box : null,
     mass_guess_kg: mass_kg.value,
     axes: axes.value,
-    rotations: rotations.value,
+    identify_from: evidence.value,
+    empty: empty.value,
+    without: (whole && !empty.value && without.value) || null,
+    rotations: whole || rotations.value,
     speed_m_s: speed_m_s.value,
     effort: effort.value,
-    target: untilRequired.value ? { requirement: true } : null,
+    target: untilRequired.value && !whole ? { requirement: true } : null,
   };
 });

@@ -38,6 +38,11 @@ function Preview() {
     <section>
       <h1>{said.title}</h1>
       <ProposedBy />
+      {run.value?.order.empty && (
+        <p class="warnings" role="alert">
+          <span aria-hidden="true">▲</span> <b>{said.takeOff}</b>
+        </p>
+      )}
       <Validity />
       <LinkFigures />
       {found && (
