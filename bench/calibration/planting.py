@@ -20,7 +20,7 @@ KINDS = {"none": 0.1, "single": 0.6, "double": 0.06, "unknown": 0.24}
 OF_SIGNALS = {
     "sensor_drift": ("exponential", "linear", "two_time_constants", "random_walk", "thermostat"),
     "sensor_offset_step": ("step", "fast_ramp", "knock"),
-    "sensor_gain": ("linear", "by_load_direction", "wandering_supply"),
+    "sensor_gain": ("linear", "by_load_direction", "wandering_supply", "warming_supply"),
     "sensor_crosstalk": ("linear", "rectified", "product"),
     "sensor_nonlinearity": ("quadratic", "knee", "bow"),
     "sensor_hysteresis": ("play", "bouc_wen", "stick_and_snap"),
@@ -33,7 +33,7 @@ OF_SIGNALS = {
     "gear_ripple": ("sine", "modulated"),
     "unknown": (
         *("rubbing_seal", "gain_by_joint", "telegraph", "magnetic_field"),
-        *("motor_pickup", "warming_gain", "drifting_clock", "skewed_channels"),
+        *("motor_pickup", "drifting_clock", "skewed_channels"),
     ),
 }
 """Faults of the virtual robot that act on signals alone, by family and variant."""

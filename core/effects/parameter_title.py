@@ -43,6 +43,7 @@ PIECES = {
     "friction": Message.of("effect-parameter-friction"),
     "from": Message.of("effect-parameter-from"),
     "full_scale_error": Message.of("effect-parameter-full-scale-error"),
+    "gain_change": Message.of("effect-parameter-gain-change"),
     "gain_error": Message.of("effect-parameter-gain-error"),
     "gear_ratio": Message.of("effect-parameter-gear-ratio"),
     "guide_friction": Message.of("effect-parameter-guide-friction"),

@@ -1,4 +1,4 @@
-"""When something began (and ended): the windows of time in which given columns explain most of a residual."""
+"""When something began (and ended): the windows of time, or the steps, in which given columns explain most of a residual."""
 
 from __future__ import annotations
 
@@ -19,6 +19,8 @@ ROWS = 2000
 """The search looks at no more rows than about this many."""
 COARSE = 60
 """Parts of the run between which windows are first looked for."""
+ROUNDS = 4
+"""Times that each of several steps is moved, at most."""
 
 
 def weights(scene: Scene) -> Array:
@@ -63,13 +65,68 @@ def best_windows(
     return [(float(t[begin]), float(t[end])) for begin, end in found]
 
 
+class Steps(NamedTuple):
+    """Times at which columns are switched on for good, each time with amplitudes of their own.
+
+    Args:
+        times: (count,), s, increasing.
+        directions: (count, k), the amplitudes, the largest of which is 1.
+        share: of the residual's square that they explain.
+    """
+
+    times: Array
+    directions: Array
+    share: float
+
+
+def best_steps(scene: Scene, residual: Array, columns: Array, count: int) -> Steps:
+    """Steps of the columns that together explain most of a residual, payload and offsets fitted along.
+
+    The best pair of a coarse grid (`count` >= 2), then one more at a time; each is moved where it explains most until none moves.
+
+    Args:
+        residual, columns: as for `best_windows`.
+    """
+    rows = slice(0, None, max(1, len(scene) // ROWS))
+    gain, t = _Gain.of(scene, residual, columns, rows), scene.t[rows]
+    N = len(t)
+    apart = max(2, N // COARSE)
+    all_rows, coarse = np.arange(apart, N - apart), np.linspace(apart, N - apart - 1, COARSE // 2, dtype=np.intp)
+    pairs = np.column_stack([coarse[index] for index in np.triu_indices(len(coarse), 1)])
+    best = pairs[np.argmax(gain.of_steps(pairs)[0])]
+    for steps in range(2, count + 1):
+        if steps > 2:
+            best = _place(gain, np.append(best, all_rows[0]), steps - 1, all_rows, apart)
+        for _ in range(ROUNDS):
+            before = best
+            for k in range(steps):
+                best = _place(gain, best, k, all_rows, apart)
+            if np.array_equal(best, before):
+                break
+    best = np.sort(best)
+    found, amplitudes = gain.of_steps(best[None])
+    share = float(found[0]) / max(float(np.square(residual[rows]).sum()), 1e-12)
+    return Steps(t[best], amplitudes[0] / max(float(np.abs(amplitudes).max()), 1e-12), share)
+
+
+def _place(gain: _Gain, steps: Rows, k: int, candidates: Rows, apart: int) -> Rows:
+    """The steps with the k-th of them where it explains most, and at least so many rows from each other one."""
+    others = np.delete(steps, k)
+    free = candidates[(np.abs(candidates[:, None] - others) >= apart).all(axis=1)]
+    tried = np.tile(steps, (len(free), 1))
+    tried[:, k] = free
+    return np.asarray(tried[np.argmax(gain.of_steps(tried)[0])])
+
+
 class _Gain(NamedTuple):
-    """Sums over the rows before each (N + 1, ...), and the inverse of the payload's and offsets' normal matrix."""
+    """Sums over the rows before each (N + 1, ...), the inverse of the payload's and offsets' normal matrix, and what these take out of
+    the residual in this metric, which is not quite that of the fit."""
 
     XX: Array
     XZ: Array
     Xr: Array
     inverse: Array
+    taken: Array
 
     @classmethod
     def of(cls, scene: Scene, residual: Array, columns: Array, rows: slice) -> _Gain:
@@ -77,9 +134,9 @@ class _Gain(NamedTuple):
         X = (columns[rows] * scale[:, None]).transpose(0, 2, 1)
         V = regressor(scene.motion[rows]) * scale[:, None]
         Z = np.concatenate([V, np.broadcast_to(np.eye(6), (len(V), 6, 6))], axis=2)
-        ZZ = np.tensordot(Z, Z, axes=((0, 1), (0, 1)))
+        inverse = np.linalg.pinv(np.tensordot(Z, Z, axes=((0, 1), (0, 1))), rcond=1e-9, hermitian=True)
         sums = (_integral(X @ X.transpose(0, 2, 1)), _integral(X @ Z), _integral(X @ residual[rows][:, :, None]))
-        return cls(*sums, np.linalg.pinv(ZZ, rcond=1e-9, hermitian=True))
+        return cls(*sums, inverse, inverse @ np.tensordot(Z, residual[rows], axes=((0, 1), (0, 1))))
 
     def __call__(self, first: Rows, last: Rows) -> Array:
         """Sum of squares that the columns take out of the residual when they are on in rows `first` to `last` (excluded)."""
@@ -89,6 +146,19 @@ class _Gain(NamedTuple):
         A += 1e-6 / k * np.trace(self.XX[-1]) * np.eye(k)
         c = self.Xr[last] - self.Xr[first]
         return np.asarray((c.transpose(0, 2, 1) @ np.linalg.solve(A, c))[:, 0, 0])
+
+    def of_steps(self, first: Rows) -> tuple[Array, Array]:
+        """The same, (M,), of columns that are on from each of rows (M, s) to the end, and their amplitudes (M, s, k)."""
+        M, s = first.shape
+        k = self.XX.shape[1]
+        B = self.XZ[-1] - self.XZ[first]
+        later = np.maximum(first[:, :, None], first[:, None])
+        A = self.XX[-1] - self.XX[later] - np.einsum("miaz,zy,mjby->mijab", B, self.inverse, B, optimize=True)
+        A = A.transpose(0, 1, 3, 2, 4).reshape(M, s * k, s * k)
+        A += 1e-6 / k * np.trace(self.XX[-1]) * np.eye(s * k)
+        c = (self.Xr[-1] - self.Xr[first] - B @ self.taken[:, None]).reshape(M, s * k, 1)
+        x = np.linalg.solve(A, c)
+        return (c * x).sum(axis=(1, 2)), x.reshape(M, s, k)
 
 
 def _integral(values: Array) -> Array:

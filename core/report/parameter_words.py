@@ -13,7 +13,7 @@ from core.words.wording import ENGLISH, Wording
 SHOWN = 6
 """Of one effect; a cross-talk has thirty."""
 UNIT_SUFFIX = re.compile(r"(_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share))?_per_\w+$|_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share)$")
-PIECES = re.compile(r"^(?:([ft][xyz]|m|mc_[xyz]|i[xyz]{2}|joint_\d+|mode_\d+)(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$")
+PIECES = re.compile(r"^(?:([ft][xyz]|m|mc_[xyz]|i[xyz]{2}|joint_\d+|jump_\d+|mode_\d+)(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$")
 """A name without its unit: what it belongs to, what it is of, along which axis or from which channel."""
 SCALES = {"rad": (math.degrees(1.0), "°"), "m": (1e3, "mm"), "rad/(N m)": (1e3, "mrad/(N m)")}
 SMALL = {"s": "ms", "kg": "g", "kg m": "g m", "kg m2": "g m²"}
@@ -42,6 +42,7 @@ CODES = {
     "friction": "report-of-friction",
     "from": "report-of-from",
     "full_scale_error": "report-of-full-scale-error",
+    "gain_change": "report-of-gain-change",
     "gain_error": "report-of-gain-error",
     "gear_ratio": "report-of-gear-ratio",
     "guide_friction": "report-of-guide-friction",
@@ -49,6 +50,7 @@ CODES = {
     "hanging": "report-of-hanging",
     "held": "report-of-held",
     "joint": "report-of-joint",
+    "jump": "report-of-jump",
     "lag": "report-of-lag",
     "lost": "report-of-lost",
     "lower_limit": "report-of-lower-limit",

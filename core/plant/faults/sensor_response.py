@@ -181,6 +181,26 @@ class WanderingSupply(Fault):
 
 
 @dataclass(frozen=True)
+class WarmingSupply(Fault):
+    """The supply of the bridge sags as it warms up: all channels lose the same share with time, offset or not."""
+
+    id = "sensor_gain"
+    variant = "warming_supply"
+
+    share: float
+    time_constant_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """1 to 5 % with either sign, time constant of 0.2 to 1 of the run."""
+        return cls(size * sign(rng) * draw_log_uniform(rng, 0.01, 0.05), setting.seconds * draw_log_uniform(rng, 0.2, 1.0))
+
+    def amplify(self, machine: Machine) -> Channel | None:
+        """Multiplies all channels by `1 - share (1 - exp(-t / tau))`, offset and noise included."""
+        return lambda t, W: (1 + self.share * math.expm1(-t / self.time_constant_s)) * W
+
+
+@dataclass(frozen=True)
 class ProductCrosstalk(Fault):
     """The product of two channels shows in a third, as beams do that bend so far that their lever changes: the cross products in the
     calibration matrices of wind tunnel balances (AIAA R-091). 1 to 3 % of the range, with the nominal load in the second channel."""
@@ -243,6 +263,7 @@ SENSOR_RESPONSE: tuple[type[Fault], ...] = (
     Quadratic,
     Knee,
     WanderingSupply,
+    WarmingSupply,
     ProductCrosstalk,
     Bow,
 )

@@ -153,30 +153,10 @@ class MotorPickup(Unknown):
         return lambda _, W: W + pickup * data.qfrc_applied[place]
 
 
-@dataclass(frozen=True)
-class WarmingGain(Unknown):
-    """The supply of the bridge sags as it warms up: all channels lose the same share with time, offset or not."""
-
-    variant = "warming_gain"
-
-    share: float
-    time_constant_s: float
-
-    @classmethod
-    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """1 to 5 % with either sign, time constant of 0.2 to 1 of the run."""
-        return cls(size * sign(rng) * draw_log_uniform(rng, 0.01, 0.05), setting.seconds * draw_log_uniform(rng, 0.2, 1.0))
-
-    def amplify(self, machine: Machine) -> Channel | None:
-        """Multiplies all channels by `1 - share (1 - exp(-t / tau))`, offset and noise included."""
-        return lambda t, W: (1 + self.share * math.expm1(-t / self.time_constant_s)) * W
-
-
 UNKNOWN_SIGNAL: tuple[type[Fault], ...] = (
     RubbingSeal,
     GainByJoint,
     Telegraph,
     MagneticField,
     MotorPickup,
-    WarmingGain,
 )

@@ -21,6 +21,7 @@ advice-payload-mismatch-heavier = Prüfen Sie, ob die richtige Last montiert ist
 advice-payload-mismatch-lighter = Prüfen Sie, ob die richtige Last montiert ist, und ersetzen Sie die Referenz durch die gefundenen Werte (sie ist { MILLI($mass_kg) } g leichter).
 advice-payload-shift = Spannen Sie die Last fester: bei { FIXED($at_s, digits: 1) } s verrutschte sie um { MILLI($first_moment_kg_m, digits: 1) } kg mm; identifizieren Sie sie danach erneut.
 advice-payload-shift-of-whole = Spannen Sie die Last fester: bei { FIXED($at_s, digits: 1) } s verrutschte sie um { MILLI($first_moment_kg_m, digits: 1) } kg mm (die ganze Last um { MILLI($distance_m, digits: 1) } mm); identifizieren Sie sie danach erneut.
+advice-payload-shift-several = Spannen Sie die Last fester: von { FIXED($first_s, digits: 1) } bis { FIXED($last_s, digits: 1) } s verrutschte sie mehrmals, um bis zu { MILLI($first_moment_kg_m, digits: 1) } kg mm; identifizieren Sie sie danach erneut.
 advice-sample-dropout = Gleichen Sie die Rate der Aufzeichnung der des Sensors an, oder entlasten Sie seinen Bus: { $held_share ->
     [0] { PERCENT($lost_share, digits: 1) } % der Messwerte gehen verloren.
    *[other] { $lost_share ->
@@ -32,6 +33,7 @@ advice-sensor-creep = Warten Sie nach einer Laständerung etwa { FIXED($wait_s, 
 advice-sensor-crosstalk = Laden Sie die Kalibriermatrix des Sensors neu, oder lassen Sie ihn neu kalibrieren: { $load } von { $of_channel } erscheint als { $shown } in { $in_channel }.
 advice-sensor-drift = Lassen Sie den Sensor 20 Minuten warm werden, und nullen Sie ihn kurz vor dem Lauf: sein Nullpunkt wanderte in { FIXED($within_s, digits: 0) } s um { $drift }.
 advice-sensor-gain = Lassen Sie den Sensor mit bekannten Gewichten in beiden Richtungen neu kalibrieren: gegen die anderen Kanäle weicht { $channel } um { PERCENT($positive_share, digits: 1) } % ab, wo er positiv ist, und um { PERCENT($negative_share, digits: 1) } %, wo er negativ ist.
+advice-sensor-gain-warming = Lassen Sie den Sensor vor dem Lauf 20 Minuten warm werden, und lassen Sie ihn neu kalibrieren, wenn das nicht hilft: { $channel } änderte seine Verstärkung in { FIXED($within_s, digits: 0) } s um { PERCENT($change_share, digits: 1) } %.
 advice-sensor-hysteresis = Prüfen Sie die Schrauben der Sensorflansche auf Schlupf; sonst fahren Sie jede Stellung von derselben Seite an: zwischen Be- und Entlasten weicht { $channel } um { PERCENT($height_share, digits: 2) } % des Messbereichs ab.
 advice-sensor-interference = Führen Sie das Sensorkabel fern von Motor- und Netzkabeln, und erden Sie seinen Schirm an einem Ende, um die Linie bei { FIXED($frequency_hz, digits: 1) } Hz loszuwerden.
 advice-sensor-lowpass = Schalten Sie den Filter des Sensors ab, oder setzen Sie seine Grenzfrequenz weit über { FIXED($cutoff_hz, digits: 0) } Hz; er verzögert um { MILLI($delay_s) } ms.

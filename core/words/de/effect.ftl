@@ -86,6 +86,7 @@ effect-parameter-frequency = Frequenz
 effect-parameter-friction = Reibung
 effect-parameter-from = aus
 effect-parameter-full-scale-error = Fehler bei Vollausschlag
+effect-parameter-gain-change = Änderung der Verstärkung in der ersten Minute
 effect-parameter-gain-error = Verstärkungsfehler
 effect-parameter-gear-ratio = Übersetzung
 effect-parameter-guide-friction = Reibung der Führung

@@ -21,6 +21,7 @@ advice-payload-mismatch-heavier = Check that the right payload is mounted and re
 advice-payload-mismatch-lighter = Check that the right payload is mounted and replace the reference by the identified parameters (it is { MILLI($mass_kg) } g lighter).
 advice-payload-shift = Clamp the payload more firmly: at { FIXED($at_s, digits: 1) } s it slipped by { MILLI($first_moment_kg_m, digits: 1) } kg mm; identify it again afterwards.
 advice-payload-shift-of-whole = Clamp the payload more firmly: at { FIXED($at_s, digits: 1) } s it slipped by { MILLI($first_moment_kg_m, digits: 1) } kg mm (the whole payload by { MILLI($distance_m, digits: 1) } mm); identify it again afterwards.
+advice-payload-shift-several = Clamp the payload more firmly: from { FIXED($first_s, digits: 1) } to { FIXED($last_s, digits: 1) } s it slipped several times, by up to { MILLI($first_moment_kg_m, digits: 1) } kg mm; identify it again afterwards.
 advice-sample-dropout = Match the recorder's rate to the sensor's or relieve its bus: { $held_share ->
     [0] { PERCENT($lost_share, digits: 1) } % of the samples are lost.
    *[other] { $lost_share ->
@@ -32,6 +33,7 @@ advice-sensor-creep = Wait about { FIXED($wait_s, digits: 0) } s after a change 
 advice-sensor-crosstalk = Load the sensor's calibration matrix anew or have it recalibrated: { $load } of { $of_channel } shows as { $shown } in { $in_channel }.
 advice-sensor-drift = Let the sensor warm up for 20 min and tare it just before the run: its offset went { $drift } in { FIXED($within_s, digits: 0) } s.
 advice-sensor-gain = Have the sensor recalibrated with known weights in both directions: against the other channels { $channel } is off by { PERCENT($positive_share, digits: 1) } % where it is positive and by { PERCENT($negative_share, digits: 1) } % where it is negative.
+advice-sensor-gain-warming = Let the sensor warm up for 20 min before the run, and have it recalibrated if that does not help: { $channel } changed its gain by { PERCENT($change_share, digits: 1) } % in { FIXED($within_s, digits: 0) } s.
 advice-sensor-hysteresis = Check the bolts of the sensor's flanges for slip, else approach every pose from the same side: { $channel } differs by { PERCENT($height_share, digits: 2) } % of full scale between loading and unloading.
 advice-sensor-interference = Lead the sensor's cable away from motor and mains cables and ground its shield at one end, to be rid of the line at { FIXED($frequency_hz, digits: 1) } Hz.
 advice-sensor-lowpass = Switch the sensor's filter off or raise it well above { FIXED($cutoff_hz, digits: 0) } Hz; it delays by { MILLI($delay_s) } ms.

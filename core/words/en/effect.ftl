@@ -86,6 +86,7 @@ effect-parameter-frequency = frequency
 effect-parameter-friction = friction
 effect-parameter-from = from
 effect-parameter-full-scale-error = error at full scale
+effect-parameter-gain-change = gain change in the first minute
 effect-parameter-gain-error = gain error
 effect-parameter-gear-ratio = gear ratio
 effect-parameter-guide-friction = friction of the guide

@@ -1,4 +1,5 @@
-"""Richer shapes against physics of their own: a walk that is drawn, and a point mass that slides from wall to wall."""
+"""Richer shapes against physics of their own: a walk that is drawn, a point mass that slides from wall to wall, one that slips twice, and a
+bridge that heats up."""
 
 from __future__ import annotations
 
@@ -10,7 +11,11 @@ from scipy.optimize import least_squares
 from scipy.signal import lfilter
 
 from core.effects.drift_that_wanders import DriftThatWanders, wanders_in_holds
+from core.effects.gain_that_warms_up import GainThatWarmsUp
 from core.effects.loose_between_stops import LooseBetweenStops
+from core.effects.payload_shift import PayloadShift
+from core.effects.several_payload_shifts import SeveralPayloadShifts
+from tests.core.effects import mechanical_truth as truth
 from tests.core.effects.synthetic_scene import NOISE, scene
 
 Array = np.ndarray
@@ -94,3 +99,80 @@ def test_a_part_that_slides_from_wall_to_wall_is_followed_with_its_first_moment(
     assert 2.0 * fit.cost < 0.15 * np.square(planted / NOISE).sum()
     assert np.linalg.norm(theta[:3]) == pytest.approx(0.004, rel=0.15)
     assert abs(theta[:3] @ axis) == pytest.approx(float(np.linalg.norm(theta[:3])), rel=0.02)
+
+
+SLIPS = ((6.3, np.array([0.012, -0.004, 0.0])), (15.7, np.array([-0.003, 0.01, 0.004])))
+PART_KG = 0.5
+
+
+def slip_twice() -> Array:
+    """(N, 6): the payload of point masses with a part at its centre of mass that lies elsewhere after each slip."""
+    com = truth.MASSES @ truth.POINTS / truth.MASSES.sum()
+    places = com + np.cumsum([np.zeros(3), *(way for _, way in SLIPS)], axis=0)
+    rigid = truth.truth()
+    lying = [rigid.wrench(np.vstack([truth.POINTS, com, place]), np.array([*truth.MASSES, -PART_KG, PART_KG])) for place in places]
+    slipped = [truth.T[:, None] >= at for at, _ in SLIPS]
+    return np.where(slipped[1], lying[2], np.where(slipped[0], lying[1], lying[0]))
+
+
+def test_a_payload_that_slips_twice_is_followed_with_times_and_first_moments() -> None:
+    effect, run = SeveralPayloadShifts(), truth.scene()
+    noise = truth.SIGMA * np.random.default_rng(3).normal(size=(len(truth.T), 6))
+    residual = truth.without_nuisance(((slip_twice() + noise - run.nominal) / truth.SIGMA).ravel())
+    start = effect.starts(run, residual.reshape(-1, 6))[1]
+    free = effect.smaller_shape(run)
+
+    def left(x: Array) -> Array:
+        change = truth.change(effect, np.concatenate((x, start[free:])), run)
+        return residual - truth.without_nuisance((change / truth.SIGMA).ravel())
+
+    fit = least_squares(left, start[:free], x_scale=np.tile([1.0, 0.01, 0.01, 0.01], 2))
+    assert 2.0 * fit.cost < 1.05 * residual.size
+    found = fit.x.reshape(2, 4)
+    for (at, *moment), (planted_at, way) in zip(found, SLIPS, strict=True):
+        assert at == pytest.approx(planted_at, abs=0.15)  # the second shows by less than the noise of a sample at first
+        assert moment == pytest.approx(PART_KG * way, abs=3e-4)
+    assert "several times" in effect.advice(run, np.concatenate((fit.x, start[free:]))).text
+    assert effect.explain_tie_to_run(run) is not None
+
+
+def test_two_slips_are_sought_at_their_times_and_not_where_they_would_explain_little() -> None:
+    effect, run = SeveralPayloadShifts(), truth.scene()
+    noise = np.random.default_rng(4).normal(size=(len(truth.T), 6))
+
+    def seek(planted: Array) -> list[Array]:
+        residual = truth.without_nuisance(((planted - run.nominal) / truth.SIGMA + noise).ravel())
+        return effect.starts(run, residual.reshape(-1, 6))
+
+    two = seek(slip_twice())[1].reshape(-1, 4)
+    assert two[:2, 0] == pytest.approx([at for at, _ in SLIPS], abs=0.15)
+    assert not two[2, 1:].any()
+    assert seek(run.nominal) == []
+    assert seek(run.nominal * [1.02, 0.98, 1.0, 1.0, 1.0, 1.0]) == []
+
+
+def test_one_shift_is_what_the_effect_of_one_makes_of_it() -> None:
+    theta = np.array([7.0, 0.004, -0.002, 0.003, 0.0])
+    alone = np.concatenate((theta[:4], [9.0, 0.0, 0.0, 0.0, 12.0, 0.0, 0.0, 0.0]))
+    one = PayloadShift().wrench(RUN, RUN.nominal, theta)
+    np.testing.assert_array_equal(SeveralPayloadShifts().wrench(RUN, RUN.nominal, alone), one)
+    assert "several" not in SeveralPayloadShifts().advice(RUN, alone).text
+
+
+def test_a_bridge_that_heats_up_takes_gains_and_offsets_along() -> None:
+    t, gains, offsets = RUN.t, np.array([0.02, 0.03, 0.01, -0.01, 0.02, 0.03]), np.array([0.5, -0.8, 1.0, 0.02, -0.03, 0.01])
+    heat, warmth = 0.0, []
+    for step in np.diff(t, prepend=t[0]):  # Newton's law of heating, time constant 6 s
+        heat += step / 6.0 * (1.0 - heat)
+        warmth.append(heat)
+    planted = np.outer(warmth, gains) * RUN.nominal + np.outer(warmth, offsets)
+    effect = GainThatWarmsUp()
+    start = effect.starts(RUN, planted / NOISE)[1]
+    scale = np.array([p.scale for p in effect.parameters(RUN)])
+    fit = least_squares(lambda x: ((effect.wrench(RUN, RUN.nominal, x) - RUN.nominal - planted) / NOISE).ravel(), start, x_scale=scale)
+    reached = 1.0 - np.exp(-60.0 / 6.0)
+    assert fit.x[:6] == pytest.approx(gains * reached, abs=4e-4)
+    assert fit.x[6] == pytest.approx(1.0 / 6.0, rel=0.02)
+    assert fit.x[7:] == pytest.approx(offsets * reached, rel=0.05)
+    assert "warm up" in effect.advice(RUN, fit.x).text
+    assert effect.explain_tie_to_run(RUN) is not None

@@ -39,6 +39,23 @@ def recorded(run: Run, seed: int, zeros_deg: float = ZEROS_DEG) -> tuple[Recordi
     return replace(recording, q=recording.q + np.radians(zeros_deg) * rng.normal(size=run.q.shape[1])), load
 
 
+PLACES = np.array([[0.0, 0.0, 0.0], [0.02, 0.0, 0.0], [0.02, 0.015, 0.005]])
+"""Where a part lies before and after its slips, m."""
+
+
+def slip(run: Run, at_s: float, place: Array, then: Array) -> Array:
+    """(N, 6), what a point mass adds that lies at one place, sensor axes, and from a time on at another."""
+    return (run.t > run.t[0] + at_s)[:, None] * (carried(run, then) - carried(run, place))
+
+
+def carried(run: Run, place: Array) -> Array:
+    """(N, 6), what a point mass of 0.5 kg asks of the sensor."""
+    r = place + np.array([0.0, 0.01, 0.08])
+    a = np.einsum("nji,nj->ni", run.rotation, run.a - [0.0, 0.0, -9.81])
+    f = 0.5 * (a + np.cross(run.alpha, r) + np.cross(run.omega, np.cross(run.omega, r)))
+    return np.hstack((f, np.cross(r, f)))
+
+
 def explain(recording: Recording, *names: str) -> Diagnosis:
     return examine(recording, [effect for effect in library() if effect.id in names], fit_all=one_by_one)[0]
 
@@ -82,6 +99,39 @@ def test_one_jump_is_one_jump(run: Run) -> None:
     diagnosis = explain(replace(recording, wrench=recording.wrench + jump), "sensor_offset_step", "sensor_drift")
     assert (diagnosis.verdict, diagnosis.effects[0].id) == ("explained", "sensor_offset_step")
     assert "jump_2_at_s" not in diagnosis.effects[0].parameters
+
+
+def test_a_payload_that_slips_twice_has_slipped_and_the_times_are_told(run: Run) -> None:
+    recording, _ = recorded(run, 9)
+    wrench = recording.wrench + slip(run, 11.0, *PLACES[:2]) + slip(run, 25.0, *PLACES[1:])
+    diagnosis = explain(replace(recording, wrench=wrench), "payload_shift", "payload_mass_change", "sensor_drift")
+    best = diagnosis.effects[0]
+    assert (diagnosis.verdict, best.id) == ("explained", "payload_shift")
+    assert [best.parameters[name].value for name in ("at_s", "jump_2_at_s")] == pytest.approx([run.t[0] + 11, run.t[0] + 25], abs=0.15)
+    assert best.parameters["jump_3_first_moment_x_kgm"].value == pytest.approx(0.0, abs=1e-6)
+    assert not best.addable
+
+
+def test_one_slip_is_one_slip(run: Run) -> None:
+    recording, _ = recorded(run, 10)
+    wrench = recording.wrench + slip(run, 17.0, *PLACES[:2])
+    diagnosis = explain(replace(recording, wrench=wrench), "payload_shift", "payload_mass_change", "sensor_drift")
+    assert (diagnosis.verdict, diagnosis.effects[0].id) == ("explained", "payload_shift")
+    assert "jump_2_at_s" not in diagnosis.effects[0].parameters
+
+
+def test_gains_that_warm_up_are_gains_and_no_payload_that_gets_lighter(run: Run) -> None:
+    recording, load = recorded(run, 11)
+    warm = 1.0 - np.exp(-(run.t - run.t[0]) / 9.0)
+    diagnosis = explain(
+        replace(recording, wrench=recording.wrench + 0.04 * warm[:, None] * load), "sensor_gain", "payload_mass_change", "sensor_drift"
+    )
+    best = diagnosis.effects[0]
+    assert (diagnosis.verdict, best.id) == ("explained", "sensor_gain")
+    assert best.parameters["settling_rate_per_s"].value == pytest.approx(1 / 9.0, rel=0.15)
+    assert best.parameters["fz_gain_change_share"].value == pytest.approx(0.04, rel=0.1)
+    assert best.parameters["fx_first_minute_n"].value == pytest.approx(0.0, abs=1e-6)
+    assert not best.addable
 
 
 def test_two_channels_that_end_at_half_of_their_load_are_clipped(run: Run) -> None:

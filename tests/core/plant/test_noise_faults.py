@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 from core.plant.faults.sensor_noise import ColouredNoise, GatedHum, Hum, LoudNoise, Spikes, WanderingHum
 from core.plant.faults.sensor_steps import CoarseSteps, MissingCodes, SendOnDelta, ShortFloat
-from core.plant.faults.unknown_signal import RubbingSeal, Telegraph, WarmingGain
-from tests.core.plant.fault_oracle import PERIOD, SETTING, SIGNAL, SIX, through, triangle
+from core.plant.faults.unknown_signal import RubbingSeal, Telegraph
+from tests.core.plant.fault_oracle import PERIOD, SETTING, SIGNAL, through, triangle
 
 ALL = (1.0,) * 6
 
@@ -93,8 +93,3 @@ def test_a_telegraph_has_two_levels_and_its_times():
     assert set(np.unique(felt)) == {0.0, 0.7}
     assert abs((felt > 0).mean() - 1 / 3) < 0.06
     assert abs(np.count_nonzero(np.diff(felt) > 0) / 60 - 1 / 0.15) < 1.0
-
-
-def test_a_warming_supply_takes_its_share_of_all_channels():
-    found = WarmingGain(0.04, 2.0).amplify(SIGNAL)(2.0, SIX)
-    np.testing.assert_allclose(found / SIX, 1 - 0.04 * (1 - np.exp(-1)))

@@ -121,6 +121,7 @@ PLAUSIBLE = {
     "external_contact-window": (lambda f: norm(f.force_n, F), 1.0, 15.0),
     "sensor_drift-thermostat": (lambda f: norm(f.drift_wrench, F), 0.3, 4.0),
     "sensor_gain-wandering_supply": (lambda f: largest(f.gain_share), 0.01, 0.05),
+    "sensor_gain-warming_supply": (lambda f: abs(f.share), 0.01, 0.05),
     "sensor_nonlinearity-bow": (lambda f: largest(f.bow_share), 0.005, 0.02),
     "sensor_hysteresis-stick_and_snap": (lambda f: largest(f.half_width_wrench / SETTING.full_scale), 0.001, 0.004),
     "sensor_interference-gated": (lambda f: largest(f.amplitude_wrench / SETTING.noise_std), 1.0, 5.0),

@@ -26,6 +26,7 @@ from core.plant.faults.sensor_response import (
     RectifiedCrosstalk,
     TwoSidedGain,
     WanderingSupply,
+    WarmingSupply,
 )
 from core.plant.faults.sensor_saturation import Clipping, Compression
 from tests.core.plant.fault_oracle import PERIOD, SETTING, SIGNAL, SIX, clean, constant, run, through, triangle
@@ -131,6 +132,11 @@ def test_a_wandering_supply_swings_about_its_gain_and_takes_part_of_the_offset()
     amplified = WanderingSupply((0.02,) * 6, 0.5, 8.0, 0.0).amplify(SIGNAL)
     for t, gain in ((0.0, 0.02), (2.0, 0.03), (4.0, 0.02), (6.0, 0.01)):
         np.testing.assert_allclose(amplified(t, SIX) / SIX, 1 + gain, atol=1e-12)
+
+
+def test_a_warming_supply_takes_its_share_of_all_channels():
+    found = WarmingSupply(0.04, 2.0).amplify(SIGNAL)(2.0, SIX)
+    np.testing.assert_allclose(found / SIX, 1 - 0.04 * (1 - np.exp(-1)))
 
 
 def test_products_of_two_channels_show_in_a_third():

@@ -46,5 +46,10 @@ export const enEffects = {
     actuation: 'drives',
   } as Record<string, string>,
   /** Pieces of the names of parameters, where they are not English words already. */
-  pieces: { second_order: 'second-order share', joint: 'joint', mode: 'mode' } as Record<string, string>,
+  pieces: {
+    gain_change: 'gain change in the first minute',
+    second_order: 'second-order share',
+    joint: 'joint',
+    mode: 'mode',
+  } as Record<string, string>,
 };
