@@ -122,13 +122,13 @@ class _Search:
 
     def columns(self, y: Array, dds: Array) -> Array:
         """Wrench of each element of B, in the rows and weights of the search, for answers (N, 6) of an oscillator to each force."""
-        b = self.scene.motion.a - self.scene.motion.g
+        b, y, dds = (self.scene.motion.a - self.scene.motion.g)[self.rows], y[self.rows], dds[self.rows]
         elements = []
         for i, j in PAIRS:
             element = _answer(self.moments[:, i], b, y[:, [j]], dds[:, [j]])
             if i != j:
                 element = element + _answer(self.moments[:, j], b, y[:, [i]], dds[:, [i]])
-            elements.append(element[self.rows] * self.weights)
+            elements.append(element * self.weights)
         return np.stack(elements, axis=2).reshape(-1, len(PAIRS))
 
     def __call__(self, frequency_hz: float) -> tuple[float, float, Array]:

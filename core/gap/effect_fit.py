@@ -6,6 +6,7 @@ The `Problem` is minimised by Levenberg-Marquardt. The evidence is Laplace's; th
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import accumulate
 
 import numpy as np
 
@@ -172,8 +173,8 @@ def predict_held_out(windows: Windows, columns: Array, r: Array, precision: Arra
     prior = np.diag(precision)
     r = r - columns @ solve_scaled(sum(seen, prior), columns.T @ r - precision * away)
     result = np.empty_like(r)
-    for k, rows in enumerate(motions):
-        # summed anew: where one motion alone shows a parameter, the difference N - Z^T Z is nothing but rounding
-        others = sum(seen[:k] + seen[k + 1 :], prior)
-        result[rows] = r[rows] * (r[rows] + columns[rows] @ solve_scaled(others, columns[rows].T @ r[rows]))
+    # summed from both ends: where one motion alone shows a parameter, the difference N - Z^T Z is nothing but rounding
+    before, behind = accumulate(seen, initial=prior), [*accumulate(seen[:0:-1], initial=np.zeros_like(prior))][::-1]
+    for rows, first, then in zip(motions, before, behind, strict=False):
+        result[rows] = r[rows] * (r[rows] + columns[rows] @ solve_scaled(first + then, columns[rows].T @ r[rows]))
     return result.reshape(windows.target.shape)

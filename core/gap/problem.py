@@ -112,7 +112,8 @@ class Problem:
         moved = (self.change(theta + step, here.scene, dict(here.known)) for step in np.diag(steps))
         J = np.empty((len(steps), len(here.rows)))
         for slope, change, step in zip(J, moved, steps, strict=True):
-            slope[:] = (self.windows.rows_of([change]).ravel() - here.rows) / step
+            np.subtract(self.windows.row_of(change), here.rows, out=slope)
+            np.divide(slope, step, out=slope)
         return here.rows, J.T
 
     def _look(self, theta: Array, phi: Array) -> _Look:
@@ -125,7 +126,7 @@ class Problem:
         else:
             scene = self.windows.basis.scene.with_phi(phi)
         known: dict[bytes, Array] = {}
-        self._last = _Look(theta, scene, self.windows.rows_of([self.change(theta, scene, known)]).ravel(), known)
+        self._last = _Look(theta, scene, self.windows.row_of(self.change(theta, scene, known)), known)
         return self._last
 
     def cost(self, beta: Array, theta: Array) -> float:

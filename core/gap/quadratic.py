@@ -7,6 +7,8 @@ from scipy.optimize import lsq_linear
 
 from core.array import Array
 
+EXCHANGES = 12
+"""Of what is held at its bounds, before it is taken to go round in circles."""
 LEAST_EIGENVALUE = 1e-15
 """Of the scaled matrix, relative to the largest; what is smaller is rounding."""
 
@@ -17,21 +19,35 @@ def find_bounded_minimum(normal: Array, right: Array, bounds: Array) -> Array:
     Args:
         normal: (n, n), symmetric positive definite.
 
-    With bounds that bind, by the active sets of Stark and Parker 1995 (`scipy.optimize.lsq_linear`).
+    Where bounds bind, all that are on the wrong side change it at once (Portugal, Judice and Vicente 1994); there is one minimum, so
+    what meets the conditions of Kuhn and Tucker is it. Where that goes round in circles, by the active sets of Stark and Parker 1995
+    (`scipy.optimize.lsq_linear`).
     """
-    free = solve_scaled(normal, right)
-    if ((free >= bounds[0]) & (free <= bounds[1])).all():
-        return free
     scale = 1.0 / np.sqrt(np.maximum(np.diag(normal), 1e-300))
-    values, vectors = np.linalg.eigh(normal * np.outer(scale, scale))
+    A, b, (low, high) = normal * np.outer(scale, scale), right * scale, bounds / scale
+    below, above = np.zeros(len(b), dtype=bool), np.zeros(len(b), dtype=bool)
+    for _ in range(EXCHANGES):
+        free = ~(below | above)
+        x = np.where(below, low, np.where(above, high, 0.0))
+        x[free] = np.linalg.solve(A[np.ix_(free, free)], b[free] - A[np.ix_(free, ~free)] @ x[~free])
+        slope = A @ x - b
+        new_below, new_above = (free & (x < low)) | (below & (slope >= 0.0)), (free & (x > high)) | (above & (slope <= 0.0))
+        if np.array_equal(new_below, below) and np.array_equal(new_above, above):
+            return np.clip(x * scale, bounds[0], bounds[1])
+        below, above = new_below, new_above
+    return _search_active_sets(A, b, bounds, scale)
+
+
+def _search_active_sets(A: Array, b: Array, bounds: Array, scale: Array) -> Array:
+    values, vectors = np.linalg.eigh(A)
     root = np.sqrt(np.maximum(values, LEAST_EIGENVALUE * values[-1]))
     found = lsq_linear(
         root[:, None] * vectors.T,
-        (vectors.T @ (right * scale)) / root,
+        (vectors.T @ b) / root,
         (bounds[0] / scale, bounds[1] / scale),
         method="bvls",
         tol=1e-14,
-        max_iter=100 * len(right),
+        max_iter=100 * len(b),
     )
     return np.clip(found.x * scale, bounds[0], bounds[1])
 

@@ -226,6 +226,10 @@ class Windows:
         """Rows (6, K, n) of n changes of the wrench on the scene's grid, (N, 6) each."""
         return np.stack([self._whitener.average_and_whiten(change) for change in changes]).transpose(1, 2, 0)
 
+    def row_of(self, change: Array) -> Array:
+        """(6 K,), rows of one change (N, 6), one channel behind the other."""
+        return self._whitener.average_and_whiten(change).ravel()
+
     def whiten_windowed(self, wrenches: Array) -> Array:
         """Rows (M, 6, K) of wrenches (M, K, 6) that are windowed already."""
         return np.stack([self._whitener.whiten(wrench) for wrench in wrenches])
