@@ -102,7 +102,7 @@ REFUSALS: dict[str, tuple[str, ...]] = {
     "POST /api/runs/{run}/acceptance": (*RESULT, "runs-accepted-already", "store-result-not-there"),
     "GET /api/runs/{run}/comparison/{other}": (*RESULT, *CELL, "runs-no-common-frame"),
     "GET /api/series": (*RESULT, *CELL, "runs-no-common-frame"),
-    "GET /api/timeline": RUN,
+    "GET /api/timeline": (*RUN, *JOB),
     "GET /api/runs/{run}/exports": (*RESULT, *CELL),
     "GET /api/runs/{run}/exports/{target}": (*RESULT, *CELL),
     "GET /api/runs/{run}/certificate": (*RESULT, "jobs-work-lost"),

@@ -72,4 +72,16 @@ def test_runs_picked_in_the_history_tell_which_effect_came_when(at: Tablet, runs
 
 def test_one_diagnosed_run_is_too_few(at: Tablet, runs: list[str]) -> None:
     page = show(at, "timeline", runs[0], runs[3])
-    expect(page.locator(".verdict")).to_have_text("At least two of these runs have to be diagnosed.")
+    expect(page.locator(".verdict")).to_have_text("At least two diagnosed recordings are needed.")
+
+
+def test_an_uploaded_recording_is_added_under_its_name(service: RealService, at: Tablet, runs: list[str]) -> None:
+    store = Store(service.store_url)
+    finished_diagnosis(store, utc_now(), DiagnosisOrder(recording=Path("upload-1"), cell=CELL, name="Friday, new cable"), verdict="no_gap")
+    store.close()
+    page = show(at, "timeline", runs[1])
+    page.locator("section", has=page.get_by_role("heading", name="Uploaded recordings")).get_by_role("button", name="Add").tap()
+    expect(page.locator(".verdict-words").last).to_have_text("Went between 1 and 2: a base that is not level.")
+    expect(page.get_by_role("columnheader").nth(2)).to_have_text("2 Friday, new cable")
+    expect(page.get_by_role("heading", name="Uploaded recordings")).to_have_count(0)
+    check_looks(look(page, "effects over time with an upload"))

@@ -1545,7 +1545,7 @@ export interface paths {
         };
         /**
          * Read Timeline
-         * @description Which unmodelled effect came when: from the newest finished diagnosis of each run.
+         * @description Which unmodelled effect came when: from the newest finished diagnosis of each run, and from those of uploaded recordings.
          */
         get: operations["read_timeline"];
         put?: never;
@@ -3865,22 +3865,35 @@ export interface components {
             gap: number | null;
         };
         /**
-         * DiagnosedRun
-         * @description A run with its newest finished diagnosis.
+         * DiagnosedRecording
+         * @description A run with its newest finished diagnosis, or an uploaded recording with its own.
          */
-        DiagnosedRun: {
+        DiagnosedRecording: {
             /**
              * Run
-             * @description Identifier of the run.
+             * @description Identifier of the run; null for an uploaded recording.
              * @example 019ab1c2d3e44f1c2a9be7
              */
-            run: string;
+            run: string | null;
+            /**
+             * Name
+             * @description Name of an uploaded recording; null where it has none, and for a run.
+             * @example Friday
+             */
+            name: string | null;
             /**
              * Diagnosis
              * @description Identifier of the diagnosis.
              * @example 019ab1c2e0a17d34a06c11
              */
             diagnosis: string;
+            /**
+             * Requested At
+             * Format: date-time
+             * @description When the diagnosis was asked for.
+             * @example 2026-03-01T09:00:00Z
+             */
+            requested_at: string;
         };
         /**
          * Diagnosis
@@ -10314,23 +10327,23 @@ export interface components {
         };
         /**
          * TimelinePublic
-         * @description What the diagnoses of several runs tell together.
+         * @description What several diagnoses tell together.
          */
         TimelinePublic: {
             /**
-             * Runs
-             * @description The runs that are diagnosed, the earliest first; messages call them 1, 2, 3 ...
+             * Recordings
+             * @description Runs and uploaded recordings that are diagnosed, the earliest first; messages call them 1, 2, 3 ...
              */
-            runs: components["schemas"]["DiagnosedRun"][];
+            recordings: components["schemas"]["DiagnosedRecording"][];
             /**
              * Undiagnosed
-             * @description Those of the runs without a finished diagnosis; they are left out.
+             * @description Those of the runs without a finished diagnosis, and diagnoses that are not finished; they are left out.
              * @example [
              *       "019ab1c2d3e44f1c2a9be7"
              *     ]
              */
             undiagnosed: string[];
-            /** @description Which effect each of `runs` shows, and what came and went. */
+            /** @description Which effect each of `recordings` shows, and what came and went. */
             timeline: components["schemas"]["Timeline"];
         };
         /**
@@ -16222,7 +16235,7 @@ export type DecidingPart = components['schemas']['DecidingPart'];
 export type DeliveryPublic = components['schemas']['DeliveryPublic'];
 export type DescriptionPublic = components['schemas']['DescriptionPublic'];
 export type Diagnosed = components['schemas']['Diagnosed'];
-export type DiagnosedRun = components['schemas']['DiagnosedRun'];
+export type DiagnosedRecording = components['schemas']['DiagnosedRecording'];
 export type Diagnosis = components['schemas']['Diagnosis'];
 export type DiagnosisCreate = components['schemas']['DiagnosisCreate'];
 export type DiagnosisPublic = components['schemas']['DiagnosisPublic'];
@@ -24502,9 +24515,11 @@ export interface operations {
     };
     read_timeline: {
         parameters: {
-            query: {
+            query?: {
                 /** @description Identifiers of the runs. */
-                run: string[];
+                run?: string[];
+                /** @description Identifiers of diagnoses of uploaded recordings, each in its place by the time of the upload. */
+                diagnosis?: string[];
             };
             header?: never;
             path?: never;
@@ -24545,7 +24560,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/problem+json": components["schemas"]["RunsUnknownProblem"];
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["JobsUnknownProblem"];
                 };
             };
             /** @description Unprocessable Entity */

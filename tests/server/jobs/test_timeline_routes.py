@@ -6,7 +6,8 @@ from datetime import timedelta
 from pathlib import Path
 from typing import Any
 
-from server.jobs.kinds import DiagnosisOrder
+from server.jobs import jobs
+from server.jobs.kinds import DIAGNOSIS, DiagnosisOrder
 from server.people.roles import Role
 from server.service import Service
 from tests.server.finished_diagnosis import explanation, finished_diagnosis
@@ -32,7 +33,7 @@ def test_an_effect_that_a_later_run_shows_came_between_the_two(service: Service,
     clock.go_on(days=1)
     unknown = finished_run(service.store, clock(), None, cell="lwr4_bench", payload="gripper")
     found = signed_in(Role.viewer).get("/api/timeline", params={"run": [unknown, late, healthy]}).json()
-    assert [each["run"] for each in found["runs"]] == [healthy, late]
+    assert [each["run"] for each in found["recordings"]] == [healthy, late]
     assert found["undiagnosed"] == [unknown]
     (effect,) = found["timeline"]["effects"]
     assert effect["id"] == "time_delay"
@@ -46,8 +47,29 @@ def test_the_newest_diagnosis_of_a_run_counts(service: Service, clock: Clock, si
     run = run_with(service, clock, **DELAYED)
     newer = finished_diagnosis(service.store, clock() + timedelta(hours=1), DiagnosisOrder(recording=Path(run), run=run), verdict="no_gap")
     found = signed_in(Role.viewer).get("/api/timeline", params={"run": [run]}).json()
-    assert found["runs"] == [{"run": run, "diagnosis": newer}]
+    assert [(each["run"], each["diagnosis"]) for each in found["recordings"]] == [(run, newer)]
     assert found["timeline"]["effects"] == []
+
+
+def test_uploaded_recordings_have_their_place_among_runs_by_the_time_of_their_upload(service: Service, clock: Clock, signed_in: As) -> None:
+    healthy = run_with(service, clock, verdict="no_gap")
+    clock.go_on(days=1)
+    order = DiagnosisOrder(recording=Path("upload-1"), cell="lwr4_bench", name="Friday, new cable")
+    uploaded = finished_diagnosis(service.store, clock(), order, **DELAYED)
+    later = run_with(service, clock, verdict="no_gap")
+    asked = {"run": [later, healthy], "diagnosis": [uploaded]}
+    found = signed_in(Role.viewer).get("/api/timeline", params=asked).json()
+    assert [(each["run"], each["name"]) for each in found["recordings"]] == [(healthy, None), (None, "Friday, new cable"), (later, None)]
+    assert found["recordings"][1]["diagnosis"] == uploaded
+    assert [message["code"] for message in found["timeline"]["summary"]] == ["timeline-came", "timeline-went"]
+
+
+def test_an_upload_whose_diagnosis_is_not_done_is_left_out_and_told(service: Service, clock: Clock, signed_in: As) -> None:
+    with service.store.write() as db:
+        waiting = jobs.add_job(db, DIAGNOSIS, DiagnosisOrder(recording=Path("upload-2")), None, "account:anna", clock()).id
+    found = signed_in(Role.viewer).get("/api/timeline", params={"diagnosis": [waiting]}).json()
+    assert (found["recordings"], found["undiagnosed"]) == ([], [waiting])
+    assert signed_in(Role.viewer).get("/api/timeline", params={"diagnosis": ["none"]}).status_code == 404
 
 
 def test_runs_of_which_one_is_not_known_are_refused(service: Service, clock: Clock, signed_in: As) -> None:

@@ -106,6 +106,13 @@ function Diagnoses() {
           );
         })}
       </ul>
+      {all.length > 1 && (
+        <p>
+          <a class="download" href={to('timeline')}>
+            {words.value.history.effects}
+          </a>
+        </p>
+      )}
     </section>
   );
 }

@@ -8,18 +8,18 @@ import { Reading } from '../ui/reading';
 import { go, to } from '../ui/route';
 import type { Screen } from '../ui/screen';
 import { moment } from '../ui/units';
-import { type ReadTimeline, shown, timelineWords } from './timeline';
+import { add, type ReadTimeline, shown, timelineWords } from './timeline';
 
 function TimelinePage() {
   const said = timelineWords.value;
   const found = shown.value;
   if (found === null) return <Reading />;
-  const { runs, timeline } = found.answer;
+  const { recordings, timeline } = found.answer;
   return (
     <div class="page series">
       <h1>{said.title}</h1>
       <section class="verdict">
-        {runs.length < 2 ? (
+        {recordings.length < 2 ? (
           <p>{said.tooFew}</p>
         ) : (
           timeline.summary.map((message, k) => (
@@ -29,16 +29,17 @@ function TimelinePage() {
           ))
         )}
       </section>
-      {runs.length > 0 && <EachRun found={found} />}
+      {recordings.length > 0 && <EachRecording found={found} />}
       <Missing found={found} />
+      <More found={found} />
     </div>
   );
 }
 
-/** A row for each effect with what stands out most of it, a column for each run. */
-function EachRun({ found }: { found: ReadTimeline }) {
+/** A row for each effect with what stands out most of it, a column for each recording. */
+function EachRecording({ found }: { found: ReadTimeline }) {
   const said = timelineWords.value;
-  const { runs, timeline } = found.answer;
+  const { recordings, timeline } = found.answer;
   return (
     <section>
       <h2>{said.each}</h2>
@@ -48,11 +49,11 @@ function EachRun({ found }: { found: ReadTimeline }) {
           <thead>
             <tr>
               <th scope="col">{said.effect}</th>
-              {runs.map(({ run, diagnosis }, k) => (
-                <th scope="col" key={run}>
+              {recordings.map(({ run, name, diagnosis, requested_at }, k) => (
+                <th scope="col" key={diagnosis}>
                   {k + 1}{' '}
                   <a class="series-run" href={to('gap', diagnosis)}>
-                    {whenOf(found, run)}
+                    {run === null ? (name ?? moment(requested_at)) : whenOf(found, run)}
                   </a>
                 </th>
               ))}
@@ -118,7 +119,7 @@ function clearness({ value, std }: Parameter): number {
 
 function Missing({ found }: { found: ReadTimeline }) {
   const said = timelineWords.value;
-  const { undiagnosed } = found.answer;
+  const undiagnosed = found.answer.undiagnosed.filter((name) => found.runs.has(name));
   if (undiagnosed.length === 0) return null;
   return (
     <section>
@@ -128,6 +129,29 @@ function Missing({ found }: { found: ReadTimeline }) {
           <li key={run}>
             <b>{whenOf(found, run)}</b>
             <DiagnoseRun run={run} label={said.diagnose} />
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+/** Uploaded recordings that could stand among them. */
+function More({ found }: { found: ReadTimeline }) {
+  const said = timelineWords.value;
+  if (found.more.length === 0) return null;
+  return (
+    <section>
+      <h2>{said.uploads}</h2>
+      <p class="hint">{said.uploadsHint}</p>
+      <ul class="rows">
+        {found.more.map((each) => (
+          <li key={each.diagnosis}>
+            <span>
+              <b>{each.name ?? moment(each.requested_at)}</b>
+              <small>{[each.cell, each.tool, moment(each.requested_at)].filter(Boolean).join(' · ')}</small>
+            </span>
+            <Press act={() => add(each)}>{said.add}</Press>
           </li>
         ))}
       </ul>

@@ -2,13 +2,16 @@ import type * as en from './en-timeline';
 
 export const timeline: typeof en.timeline = {
   title: 'Effekte im Lauf der Zeit',
-  next: 'Öffnen Sie eine Diagnose, oder diagnostizieren Sie die fehlenden Läufe.',
+  next: 'Öffnen Sie eine Diagnose, diagnostizieren Sie die fehlenden Läufe, oder nehmen Sie eine hochgeladene Aufzeichnung hinzu.',
   back: 'Zurück zum Verlauf',
-  tooFew: 'Mindestens zwei dieser Läufe müssen diagnostiziert sein.',
+  tooFew: 'Mindestens zwei diagnostizierte Aufzeichnungen sind nötig.',
   missing: 'Noch nicht diagnostiziert',
   diagnose: 'Diagnostizieren',
-  each: 'Lauf für Lauf',
-  none: 'Keiner dieser Läufe zeigt einen Effekt, der zählt.',
+  uploads: 'Hochgeladene Aufzeichnungen',
+  uploadsHint: 'Eine hochgeladene Aufzeichnung steht dort, wo der Zeitpunkt ihres Hochladens liegt.',
+  add: 'Hinzunehmen',
+  each: 'Aufzeichnung für Aufzeichnung',
+  none: 'Keine dieser Aufzeichnungen zeigt einen Effekt, der zählt.',
   effect: 'Effekt',
   interval: '± ist die Hälfte des 95-%-Intervalls.',
   states: {

@@ -1,13 +1,16 @@
 /** Which effect came when. */
 export const timeline = {
   title: 'Effects over time',
-  next: 'Open a diagnosis, or diagnose the runs that are missing.',
+  next: 'Open a diagnosis, diagnose the runs that are missing, or add an uploaded recording.',
   back: 'Back to the history',
-  tooFew: 'At least two of these runs have to be diagnosed.',
+  tooFew: 'At least two diagnosed recordings are needed.',
   missing: 'Not diagnosed yet',
   diagnose: 'Diagnose',
-  each: 'Run by run',
-  none: 'None of these runs shows an effect that matters.',
+  uploads: 'Uploaded recordings',
+  uploadsHint: 'An uploaded recording takes its place by the time of its upload.',
+  add: 'Add',
+  each: 'Recording by recording',
+  none: 'None of these recordings shows an effect that matters.',
   effect: 'Effect',
   interval: '± is half of the 95 % interval.',
   states: {
