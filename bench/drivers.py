@@ -317,9 +317,12 @@ def move_with_fault(robot: Robot, name: str, seed: int) -> str:
                 if name in robot.during:
                     robot.during[name](server, random)
                 q = session.state().q_cmd
+                ways = np.where(np.arange(q.size) % 2, -1.0, 1.0) * np.linspace(
+                    0.6, 1.0, q.size
+                )  # each joint its own, so that no two can be confused
                 for k in range(round(3.0 / session.period)):
                     seen.append(session.state())
-                    q = q + session.period * 0.1 * min(1.0, 5.0 * k * session.period) * np.where(np.arange(q.size) % 2, -1.0, 1.0)
+                    q = q + session.period * 0.1 * min(1.0, 5.0 * k * session.period) * ways
                     session.command(q)
             outcome = "went on"
         except HeftError as error:
