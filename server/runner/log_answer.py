@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import get_args
+from typing import Literal, get_args, get_origin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -97,6 +97,7 @@ def list_changes(made: ImportedLog) -> list[LogChange]:
     keys = [] if mapping.wrench is None else [("wrench", key) for key in ("sign", "force_unit", "torque_unit")]
     keys += [("wrench", "axes"), (name, "inverse")] if isinstance(part, PosePart) else []
     keys += [(name, "angle_unit")] if motion in {"joints", *TURNS} else []
+    keys += [(name, "torque_gain_std"), (name, "link_mass_std")] if _joint_torques(part) is not None else []
     keys += [(name, "position_unit")] if _position(part) is not None else []
     keys += [(name if mapping.wrench is None else "wrench", "time_unit")] if mapping.rows.time is not None else []
     if made.conversion.moved_hz is not None:
@@ -107,8 +108,10 @@ def list_changes(made: ImportedLog) -> list[LogChange]:
 
 def _change(name: str, key: str, part: LogPart) -> LogChange:
     value = getattr(part, key)
-    choices = ["false", "true"] if isinstance(value, bool) else [str(each) for each in get_args(type(part).model_fields[key].annotation)]
-    return LogChange(key=f"{name}.{key}", value=str(value).lower() if isinstance(value, bool) else str(value), choices=choices)
+    annotation = type(part).model_fields[key].annotation
+    choices = ["false", "true"] if isinstance(value, bool) else map(str, get_args(annotation) if get_origin(annotation) is Literal else ())
+    shown = "" if value is None else str(value).lower() if isinstance(value, bool) else str(value)
+    return LogChange(key=f"{name}.{key}", value=shown, choices=list(choices))
 
 
 class LogThinner:

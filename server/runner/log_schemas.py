@@ -25,7 +25,7 @@ class LogChange(Answer):
     """A key of the mapping that may have been taken wrongly."""
 
     key: str = Field(description="Key of the mapping.", examples=["wrench.torque_unit"])
-    value: str = Field(description="What it was taken for.", examples=["N m"])
+    value: str = Field(description="What it was taken for; empty for a number that nobody has stated.", examples=["N m"])
     choices: list[str] = Field(description="Values that it may have; empty for a number.", examples=[["N m", "N mm"]])
 
 

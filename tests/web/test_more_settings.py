@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from playwright.sync_api import Browser, expect
 
+from server.service import utc_now
+from server.store.store import Store
+from tests.server.finished_run import finished_run
 from tests.server.real_service import Console, RealService
+from tests.web.finished_runs import drawn_result
 from tests.web.judgement import check_looks
 from tests.web.looks import look
 from tests.web.screens import signed_in
@@ -42,3 +46,26 @@ def test_motions_for_joint_torques_without_the_payload_are_planned_and_the_plan_
         at.press("STOP")
         at.wait(".ended")
         assert at.complaints == []
+
+
+def test_a_run_for_joint_torques_is_compared_with_one_without_the_payload(service: RealService, browser: Browser, person: Console) -> None:
+    store = Store(service.store_url)
+    empty = finished_run(store, utc_now(), drawn_result(1), cell="lwr4_bench", payload="steel_block", empty=True)
+    store.close()
+    with signed_in(service, browser) as at:
+        page = at.page
+        at.tap(page.locator(".more-settings summary"))
+        settings = page.locator(".more-settings")
+        compared = settings.get_by_label("Compared with the run without it")
+        expect(compared).to_have_count(0)
+        settings.get_by_label("Identify from").select_option("Joint torques")
+        compared.select_option(empty)
+        settings.get_by_role("checkbox", name="Without the payload").check(force=True)
+        expect(compared).to_have_count(0)
+        settings.get_by_role("checkbox", name="Without the payload").uncheck(force=True)
+        expect(compared).to_have_value(empty)
+        check_looks(look(page, "a run that is compared"))
+        with page.expect_request(lambda sent: sent.method == "POST" and sent.url.endswith("/api/runs")) as asked:
+            at.press("Take control and plan")
+        order = asked.value.post_data_json
+        assert (order["identify_from"], order["empty"], order["without"]) == ("joint_torques", False, empty)

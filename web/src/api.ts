@@ -5994,7 +5994,7 @@ export interface components {
             key: string;
             /**
              * Value
-             * @description What it was taken for.
+             * @description What it was taken for; empty for a number that nobody has stated.
              * @example N m
              */
             value: string;
@@ -12169,7 +12169,7 @@ export interface components {
             kind: "not-found";
             /** @description What the words name. */
             parameters: {
-                /** @description Name or beginning of the key. */
+                /** @description Name of the field, or name or beginning of the key. */
                 key: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -12679,9 +12679,10 @@ export interface components {
             kind: "conflict";
             /** @description What the words name. */
             parameters: {
-                /** @description Name or beginning of the key. */
+                /** @description Name of the field, or name or beginning of the key. */
                 key: string;
-                option: unknown;
+                /** @description Name of the field beside it. */
+                option: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -13311,7 +13312,7 @@ export interface components {
             kind: "conflict";
             /** @description What the words name. */
             parameters: {
-                /** @description Name or beginning of the key. */
+                /** @description Name of the field, or name or beginning of the key. */
                 key: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -13903,7 +13904,7 @@ export interface components {
             parameters: {
                 /** @description Identifier of the import. */
                 log_import: string;
-                /** @description Name or beginning of the key. */
+                /** @description Name of the field, or name or beginning of the key. */
                 key: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -14366,7 +14367,7 @@ export interface components {
             kind: "conflict";
             /** @description What the words name. */
             parameters: {
-                /** @description Name or beginning of the key. */
+                /** @description Name of the field, or name or beginning of the key. */
                 key: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -14680,7 +14681,7 @@ export interface components {
             kind: "unprocessable";
             /** @description What the words name. */
             parameters: {
-                /** @description Name or beginning of the key. */
+                /** @description Name of the field, or name or beginning of the key. */
                 key: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {

@@ -126,7 +126,10 @@ class Conversion:
         if part is not None and wrench is not None and part.axes == "base" and orientation is not None:
             wrench = np.einsum("nji,nkj->nki", orientation, wrench.reshape(-1, 2, 3)).reshape(-1, 6)
         gravity, source = np.array(self.mapping.gravity_m_s2), self.mapping.source
-        return Recording(t=self.t[begin:end], gravity=gravity, wrench=wrench, robot=self.robot, source=source, **columns)
+        stated: dict[str, Any] = {}
+        if self.mapping.joints is not None:
+            stated = {name: getattr(self.mapping.joints, name) for name in ("torque_gain_std", "link_mass_std")}
+        return Recording(t=self.t[begin:end], gravity=gravity, wrench=wrench, robot=self.robot, source=source, **stated, **columns)
 
     def blocks(self, begin: int = 0) -> Iterator[Recording]:
         """The rows from `begin` on, block after block."""

@@ -25,6 +25,7 @@ ANGLE_UNITS = {"rad": 1.0, "deg": 0.017453292519943295}
 
 Column: TypeAlias = Annotated[str, BeforeValidator(lambda given: str(given) if isinstance(given, int) else given)]
 """A name, or a number counted from 1 where the file has no names."""
+NotNegative: TypeAlias = Annotated[float, Field(ge=0.0)]
 Three: TypeAlias = Annotated[tuple[Column, ...], Field(min_length=3, max_length=3)]
 
 
@@ -104,6 +105,8 @@ class JointsPart(LogPart):
         urdf: file, beside the mapping; None where the log brings one.
         names: the URDF's, in the order of the columns; those that are not between the two frames are left out.
         velocity, command, torque: columns likewise, where they are logged; torque in N m.
+        torque_gain_std, link_mass_std: relative standard uncertainties of the torques and of the masses in the URDF; None where nobody
+            knows.
     """
 
     urdf: str | None = None
@@ -114,6 +117,8 @@ class JointsPart(LogPart):
     velocity: tuple[Column, ...] | None = None
     command: tuple[Column, ...] | None = None
     torque: tuple[Column, ...] | None = None
+    torque_gain_std: NotNegative | None = None
+    link_mass_std: NotNegative | None = None
     angle_unit: Literal["rad", "deg"] = "rad"
 
 

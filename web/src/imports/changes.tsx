@@ -40,7 +40,7 @@ export function Changes({ changes, open }: { changes: LogChange[]; open: boolean
 function NumberChange({ change: { key, value } }: { change: LogChange }) {
   const said = importWords.value;
   const text = useSignal(value);
-  const flaw = typed(text.value) === null;
+  const flaw = text.value !== '' && typed(text.value) === null;
   return (
     <div class="row number-change">
       <NumberField
@@ -53,7 +53,7 @@ function NumberChange({ change: { key, value } }: { change: LogChange }) {
         }}
       />
       <Press
-        disabled={flaw || text.value === value}
+        disabled={flaw || text.value === '' || text.value === value}
         act={() => answer(key, String(typed(text.value) ?? value))}
       >
         {said.apply}

@@ -68,6 +68,8 @@ export const imports: typeof en = {
     angle_unit: 'Einheit der Winkel',
     position_unit: 'Einheit der Position',
     inverse: 'Die Ausrichtung ist die',
+    torque_gain_std: 'Relative Standardunsicherheit der Gelenkmomente; leer: 0,08',
+    link_mass_std: 'Relative Standardunsicherheit der Massen im URDF; leer: 0,1',
     begins_s: 'Zu den Zeiten von Kraft und Moment addiert, s',
   },
   inverses: { false: 'des Sensors in der Basis', true: 'der Basis im Sensor' },

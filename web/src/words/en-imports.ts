@@ -67,6 +67,8 @@ export const imports = {
     angle_unit: 'Unit of the angles',
     position_unit: 'Unit of the position',
     inverse: 'The attitude is that of',
+    torque_gain_std: 'Relative standard uncertainty of the joint torques; empty: 0.08',
+    link_mass_std: 'Relative standard uncertainty of the masses in the URDF; empty: 0.1',
     begins_s: 'Added to the times of the wrench, s',
   },
   inverses: { false: 'the sensor in the base', true: 'the base in the sensor' },

@@ -249,7 +249,10 @@ def test_a_log_of_joints_and_torques_is_a_recording_of_its_own_rows(tmp_path: Pa
     mapping = change_mapping(mapping, {"joints.urdf": '"arm.urdf"', "joints.file": '"arm.csv"'})
     found = convert(tmp_path, ["arm.csv"], mapping, tmp_path).recording()
     assert found.wrench is None
-    assert found.robot == truth.robot
+    assert (found.robot, found.torque_gain_std) == (truth.robot, None)
+    stated = change_mapping(mapping, {"joints.torque_gain_std": "0.02", "joints.link_mass_std": "0.05"})
+    told = convert(tmp_path, ["arm.csv"], stated, tmp_path).recording()
+    assert (told.torque_gain_std, told.link_mass_std) == (0.02, 0.05)
     for name in ("t", "q", "tau"):
         assert np.allclose(getattr(found, name), getattr(truth, name), atol=1e-9)
 
