@@ -20,7 +20,7 @@ BENCHES = (
     ("eight_plans", "--count", "20"),
     ("long_recording",),
     ("long_recording", "--seconds", "60", "--rate", "500"),
-    ("time_to_target", "--count", "10"),
+    ("time_to_target",),
     ("random_cells", "--count", "200", "--first", "1000"),
     ("planning_time",),
     ("real_robots", "--count", "300"),
