@@ -8,7 +8,7 @@ wanted, otherwise D-optimal (Atkinson, Donev and Tobias 2007, chapter 10): greed
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -24,6 +24,8 @@ from core.requirement.target import FROBENIUS, Target
 from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile, JointTrajectory
 
+SHORTER_HOLDS_S = (1.0, 0.5)
+"""Motionless phases that may do; what is still shorter shows neither the sensor's noise nor how its offset wanders."""
 EVERY_S = 0.01
 """Between the samples of a trajectory that are looked at; each stands for all up to the next one."""
 UNKNOWN_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0), np.full(6, 1e3)))
@@ -56,6 +58,27 @@ class Worth:
             size = float(np.linalg.norm(found.inertia_com * FROBENIUS))
             parts.append(np.trace(propagate(J, covariance)) / (target.inertia_share * size) ** 2)
         return float(np.log(sum(parts)) if parts else np.linalg.slogdet(covariance)[1])
+
+    def find_time_needed(self, information: Array, seconds: float) -> float:
+        """Logarithm of the robot time that motions of so many seconds would take, made again and again, to leave as little open as wanted:
+        variances fall with one over the time. Of a volume, of its geometric mean."""
+        share = 1.0 if self._names_quantities else 10.0
+        return self.find_size(information) / share + float(np.log(seconds))
+
+    @property
+    def _names_quantities(self) -> bool:
+        target = self.target
+        return target is not None and any((target.mass_share, target.centre_of_mass_m, target.inertia_share))
+
+
+def choose_holds(cell: Cell, robot: RobotModel, legs: Sequence[Leg], timing: Timing, worth: Worth) -> Timing:
+    """The stated time of standing still, or a shorter one with which these legs need less robot time for what is wanted."""
+    shorter = [replace(timing, hold_s=each, settle_s=min(each, timing.settle_s)) for each in SHORTER_HOLDS_S if each < timing.hold_s]
+
+    def find_time_needed(timing: Timing) -> float:
+        return worth.find_time_needed(find_information(cell, robot, legs, timing), find_seconds(legs, timing))
+
+    return min((timing, *shorter), key=find_time_needed)
 
 
 def find_information(cell: Cell, robot: RobotModel, legs: Sequence[Leg], timing: Timing) -> Array:

@@ -19,7 +19,7 @@ from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.planning.candidate_checks import Attitude
 from core.planning.confirmation import Confirmation, check_standing, confirm_plan
 from core.planning.effort import PATH_ITERATIONS, grid_rounds, path_iterations
-from core.planning.information import Worth, find_information, find_seconds
+from core.planning.information import Worth, choose_holds, find_information, find_seconds
 from core.planning.joint_torques import JointTorques, Load, guess_load
 from core.planning.path import SPARE_M, TIGHT_SPARE_M, one_turn_away
 from core.planning.plan import Leg, Plan
@@ -73,7 +73,7 @@ def plan_stops(
         load: what the joints' torques are judged with; `guess_load` where nothing is known of it.
         effort: how much is searched before a plan is refused, see `core.planning.effort`.
         target: of a run that ends where it is reached: of several ways to each pair of stops the one is taken that tells most for each
-            second of robot time, and a way home is wanted from every stop. The paper's plan where None.
+            second of robot time, holds are as short as is worth it, and a way home is wanted from every stop. The paper's plan where None.
 
     Raises:
         NoStartConfiguration, NoPath: the cell leaves no safe way.
@@ -87,13 +87,13 @@ def plan_stops(
     for attempt in range(ANOTHER_SEED):
         search = _Search(cell, robot, collision, payload_box, period, planner, seed + 7919 * attempt, torques, effort)
         try:
-            legs, back, found = yield from search.plan_once(stops, start, timing, mass_guess_kg, target)
+            legs, back, holds, found = yield from search.plan_once(stops, start, timing, mass_guess_kg, target)
             break
         except PlanDisputed as error:
             disputed = error
     else:
         raise disputed
-    plan = Plan(tuple(legs), back, timing, time.perf_counter() - began, found.opinion, found.torques, found.commanded)
+    plan = Plan(tuple(legs), back, holds, time.perf_counter() - began, found.opinion, found.torques, found.commanded)
     yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
     return plan
 
@@ -146,8 +146,8 @@ class _Search:
 
     def plan_once(
         self, stops: Sequence[Stop], start: Array, timing: Timing, mass_guess_kg: float, target: Target | None
-    ) -> Generator[Event, None, tuple[list[Leg], Transfer, Confirmation]]:
-        """Legs through all stops, the way home, and what the second opinion finds of them; see `plan_stops`."""
+    ) -> Generator[Event, None, tuple[list[Leg], Transfer, Timing, Confirmation]]:
+        """Legs through all stops, the way home, how long it stands still, and what the second opinion finds of them; see `plan_stops`."""
         legs: list[Leg] = []
         here = start
         worth = None if target is None else Worth(target, self.torques.load.parameters)
@@ -157,11 +157,12 @@ class _Search:
         back = self.way_home(here)
         yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
         legs = _repeat_rotations(legs, back, timing, self, mass_guess_kg)
+        timing = timing if worth is None else choose_holds(self.cell, self.robot, legs, timing, worth)
         what = self.cell, self.robot, self.collision, self.payload_box
         found = confirm_plan(*what, legs, back, self.torques)
         if target is not None:
             legs = add_ways_home(*what, legs, back, self.torques, planner=self.planner, seed=self.seed)
-        return legs, back, found
+        return legs, back, timing, found
 
     def way_home(self, here: Array) -> Transfer:
         """From joint positions `here` (n,) to home, which no other place can stand in for: the longest searches only.

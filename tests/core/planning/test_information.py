@@ -7,7 +7,7 @@ import pytest
 
 from core.cell.folder import load_cell
 from core.payload.inertia import InertialParameters, Motion, regressor
-from core.planning.information import Worth, find_information, find_seconds
+from core.planning.information import Worth, choose_holds, find_information, find_seconds
 from core.planning.plan import Leg
 from core.planning.settings import Timing
 from core.planning.start_configuration import StartConfiguration
@@ -91,3 +91,15 @@ def test_a_target_that_is_met_is_a_size_of_one_share():
     known = np.diag(np.full(16, 1e12))
     known[0, 0] = std**-2
     assert Worth(Target(mass_share=0.01), BLOCK).find_size(known) == pytest.approx(0.0, abs=1e-3)
+
+
+def test_holds_are_short_where_the_inertia_is_wanted_and_as_stated_where_only_they_tell():
+    """The mass shows most where opposite sides point down, so standing there tells more each second than the way between."""
+    there = standing()[0] + [0.0, 0.0, 0.0, 0.0, 0.0, np.pi, 0.0]
+    way = np.linspace(standing()[0], there, 3001)
+    profile = decoupling_profile(CELL.payload_box, cartesian_speed=0.2, period=0.001)
+    legs = [leg(standing()), leg(way, profile)]
+    inertia, mass = (Worth(target, BLOCK) for target in (Target(inertia_share=0.01), Target(mass_share=0.001)))
+    assert choose_holds(CELL, ROBOT, legs, Timing(), inertia) == Timing(hold_s=0.5, settle_s=0.5)
+    assert choose_holds(CELL, ROBOT, legs, Timing(), mass) == Timing()
+    assert choose_holds(CELL, ROBOT, legs, Timing(hold_s=0.3, settle_s=0.2), inertia) == Timing(hold_s=0.3, settle_s=0.2)
