@@ -15,11 +15,11 @@ run: $(VENV)/.run $(if $(filter true,$(NODE_FITS)),$(CONSOLE),without-console)
 	$(BIN)/heft serve
 
 test: check $(CONSOLE)
-	$(BIN)/python -m pytest -n 2 --ignore=tests/web
+	$(BIN)/python -m pytest -n 2 --dist worksteal --ignore=tests/web
 	$(BIN)/python -m pytest tests/web  # alone: browsers that draw without a graphics card keep both cores busy
 
 test-thorough: $(VENV)/.dev $(CONSOLE)
-	$(BIN)/python -m pytest -n 2 -m thorough --ignore=tests/web
+	$(BIN)/python -m pytest -n 2 --dist worksteal -m thorough --ignore=tests/web
 	$(BIN)/python -m pytest -m thorough tests/web
 
 check: $(VENV)/.dev
