@@ -26,9 +26,6 @@ class Task(NamedTuple):
     first: int | None = None
 
 
-STEPS = 8
-"""Of a fit after its best start was chosen, as most take."""
-
 FitAll: TypeAlias = Callable[[Windows, list[Task]], list[EffectFit]]
 """Fits each task on its own; the results are in the order of the tasks."""
 
@@ -38,20 +35,12 @@ def on_all_cores(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
     if not tasks:
         return []
     with ProcessPoolExecutor(mp_context=get_context("fork"), initializer=_share, initargs=(windows,)) as pool:
-        longest_first = sorted(range(len(tasks)), key=lambda k: -_guess_work(windows, tasks[k]))
-        fits = {k: pool.submit(_fit, tasks[k]) for k in longest_first}
-        return [fits[k].result() for k in range(len(tasks))]
+        return list(pool.map(_fit, tasks))
 
 
 def one_by_one(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
     """In this process."""
     return [fit_effects(windows, *task) for task in tasks]
-
-
-def _guess_work(windows: Windows, task: Task) -> int:
-    """Evaluations that a fit may take: so many parameters in so many steps. No core is to begin a long one when all others are done."""
-    parameters = sum(len(effect.parameters(windows.basis.scene)) for effect in task.effects)
-    return parameters * (2 * len(task.thetas) + STEPS)
 
 
 def pair_of(a: EffectFit, b: EffectFit) -> Task:

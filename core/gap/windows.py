@@ -251,10 +251,10 @@ class Windows:
         the same."""
         basis = self.basis
         values, vectors = np.linalg.eigh(basis.poses.noise)
-        noise = np.random.default_rng(0).standard_normal((NOISE_DRAWS, len(basis.poses.t), 6))
-        noise = noise @ (vectors * np.sqrt(np.maximum(values, 0.0))).T
-        of_poses = basis.difference @ noise.transpose(1, 0, 2).reshape(len(basis.poses.t), -1)
-        return np.ascontiguousarray((basis.spread @ of_poses).reshape(-1, NOISE_DRAWS, 6).transpose(1, 0, 2))
+        white = np.random.default_rng(0).standard_normal((NOISE_DRAWS, len(basis.poses.t), 6))
+        seen = basis.spread @ (basis.difference @ white.transpose(1, 0, 2).reshape(len(basis.poses.t), -1))
+        root = vectors * np.sqrt(np.maximum(values, 0.0))
+        return np.ascontiguousarray(seen.reshape(-1, NOISE_DRAWS, 6).transpose(1, 0, 2) @ root.T)
 
     @cached_property
     def windowed_acceleration_noise(self) -> tuple[Array, Array, Array]:

@@ -30,13 +30,18 @@ class LinkDynamics:
 
     def inertia(self, q: Array) -> Array:
         """(N, n, n), in joint coordinates, kg m2, at each row of q (N, n)."""
-        upper = np.triu(np.stack([pin.crba(self._model, self._data, row).copy() for row in q]))
+        found = np.empty((*q.shape, q.shape[1]))
+        for k, row in enumerate(q):
+            found[k] = pin.crba(self._model, self._data, row)
+        upper = np.triu(found)
         return np.asarray(upper + np.triu(upper, 1).transpose(0, 2, 1))
 
     def torque(self, q: Array, dq: Array, ddq: Array) -> Array:
         """(N, n), N m, for positions, velocities and accelerations (N, n): recursive Newton-Euler."""
-        rows = zip(q, dq, ddq, strict=True)
-        return np.stack([pin.rnea(self._model, self._data, *row).copy() for row in rows])
+        found = np.empty(q.shape)
+        for k, row in enumerate(zip(q, dq, ddq, strict=True)):
+            found[k] = pin.rnea(self._model, self._data, *row)
+        return found
 
 
 def has_masses(robot: RobotModel) -> bool:
