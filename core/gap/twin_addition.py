@@ -107,6 +107,7 @@ def _find_fitted(evidence: Evidence, chosen: tuple[Effect, ...], where: str) -> 
     ids = {effect.id for effect in chosen}
     for fit, probability in evidence.attribution.explained:
         if {effect.id for effect in fit.effects} == ids:
+            check_shown(evidence, fit.effects, where)  # in the shape that was found
             check_addable(evidence, fit, where)
             return explain(evidence, fit, probability) if len(chosen) == 1 else explain_both(evidence, fit, probability)
     best = min(evidence.singles, key=lambda fit: float(fit.held_out.sum()))
