@@ -1,6 +1,6 @@
 """Table 3: stated uncertainties. Ours cover the truth; the paper's, on the same runs, do not.
 
-Thirty of the thousand estimations of `python -m bench.coverage`; the bounds are what chance allows for so few.
+Fifteen of the thousand estimations of `python -m bench.coverage`; the bounds are what chance allows for so few.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from scipy.stats import binom, chi2
 
 from bench.coverage import INTERVAL, Trial, varied
 
-COUNT = 30
+COUNT = 15
 
 
 @pytest.fixture(scope="module")

@@ -64,6 +64,7 @@ def test_the_second_opinion_sees_the_tool_where_the_planner_has_it(tmp_path: Pat
     assert seen.distance_m == pytest.approx(nearest.distance_m, abs=1e-5)
 
 
+@pytest.mark.thorough
 def test_a_tools_corners_keep_the_speed_limit(tmp_path: Path) -> None:
     cell = with_long_gripper(tmp_path)
     assert widest_box(cell, SMALL) == tool_boxes(cell)["gripper"]

@@ -47,13 +47,13 @@ def test_cells_are_listed_with_their_zones():
     ("arguments", "word"),
     [
         (("run", "no_such_cell"), "no_such_cell"),
-        (("run", "lwr4_bench", "--payload", "piano"), "piano"),
+        pytest.param(("run", "lwr4_bench", "--payload", "piano"), "piano", marks=pytest.mark.thorough),
         (("identify", "no/such/recording"), "no/such/recording"),
-        (("plan", "lwr4_bench", "--json", "no/such/folder/plan.json"), "folder"),
+        pytest.param(("plan", "lwr4_bench", "--json", "no/such/folder/plan.json"), "folder", marks=pytest.mark.thorough),
         (("plan", "lwr4_bench", "--speed", "2.5"), "0.25 m/s, the limit of the cell"),
-        (("plan", "lwr4_bench", "--axes", "x,w"), "x, y and z"),
-        (("plan", "lwr4_bench", "--from", "0,0,0"), "7 finite joint positions"),
-        (("plan", "lwr4_bench", "--trajectory", "plan.txt"), ".csv or .json"),
+        pytest.param(("plan", "lwr4_bench", "--axes", "x,w"), "x, y and z", marks=pytest.mark.thorough),
+        pytest.param(("plan", "lwr4_bench", "--from", "0,0,0"), "7 finite joint positions", marks=pytest.mark.thorough),
+        pytest.param(("plan", "lwr4_bench", "--trajectory", "plan.txt"), ".csv or .json", marks=pytest.mark.thorough),
         (("plan", "lwr4_bench", "--trajectory", "plan.csv", "--period", "0.0015"), "a multiple of 0.001 s"),
     ],
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import pytest
 from typer.testing import CliRunner
 
 from core.cli.main import app
@@ -24,6 +25,7 @@ def written(folder: Path, name: str, **answer: object) -> str:
     return str(file)
 
 
+@pytest.mark.thorough
 def test_a_base_that_came_out_of_level_is_told_with_its_size_and_its_time_and_answers_take_the_place_of_recordings(tmp_path: Path) -> None:
     for name, imperfections in (("before", Imperfections()), ("after", Imperfections(tilt_rad=(TILT_RAD, 0.0)))):
         motion = run_of(repetitions=1)

@@ -22,6 +22,7 @@ def test_seeds_are_numbers_and_ranges_each_once():
             seeds_of(text)
 
 
+@pytest.mark.thorough
 def test_trials_are_sealed_answered_kept_and_scored_and_a_finished_run_is_not_run_again(tmp_path: Path):
     short = [drawn.sealed for drawn in map(draw, range(300, 1000)) if drawn.plan.robot_s < 45.0]
     first = next(sealed.seed for sealed in short if sealed.kind == "none")

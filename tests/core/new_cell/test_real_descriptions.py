@@ -42,7 +42,7 @@ def loaded(folder: Path) -> Cell:
     return Cell.model_validate({**content, "robot": kept, "folder": folder})
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.thorough) if name == "tiago" else name for name in ARMS])
+@pytest.mark.parametrize("name", [name if name in ("panda", "ur10") else pytest.param(name, marks=pytest.mark.thorough) for name in ARMS])
 def test_a_real_robot_becomes_a_cell(tmp_path, monkeypatch, name):
     monkeypatch.setattr(home, "SAMPLES", 96)
     monkeypatch.setattr(home, "STEPS", ())

@@ -66,6 +66,7 @@ def random_motions(count: int) -> list[SensorPose]:
     return found
 
 
+@pytest.mark.thorough
 def test_loads_fly_into_it_where_they_fly_into_its_boxes(meshed: Cell, boxed: Cell) -> None:
     """Three ways to see each flight: the planner's and the second opinion's with the mesh, and the planner's with boxes."""
     seen = {True: 0, False: 0}

@@ -57,6 +57,7 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     return Story(cell, before, first, choice, outcome, examine(outcome.recording, FEW, fit_all=one_by_one), out)
 
 
+@pytest.mark.thorough
 def test_the_procedure_alone_leaves_a_tie_and_a_motion_is_proposed_for_it(story):
     """There is a gap that matters and two names for it that the recording cannot tell apart, so none is given, whichever comes first."""
     diagnosis, _ = story.first
@@ -67,6 +68,7 @@ def test_the_procedure_alone_leaves_a_tie_and_a_motion_is_proposed_for_it(story)
     assert proposed.sigma_before < INSEPARABLE_SIGMA < proposed.sigma_after
 
 
+@pytest.mark.thorough
 def test_both_recordings_together_give_the_right_name(story):
     """One name, the right one, with the delay that was planted; no tie is left."""
     diagnosis, _ = story.second
@@ -77,6 +79,7 @@ def test_both_recordings_together_give_the_right_name(story):
     assert diagnosis.indistinguishable == []
 
 
+@pytest.mark.thorough
 def test_the_distance_reached_is_the_one_that_was_predicted_along_the_plan(story):
     _, evidence = story.second
     fits = {fit.name: fit for fit in evidence.singles}
@@ -84,6 +87,7 @@ def test_the_distance_reached_is_the_one_that_was_predicted_along_the_plan(story
     assert story.choice.proposal.after == pytest.approx(reached, abs=1.5 + 0.15 * reached)  # a distance has a standard deviation of 1
 
 
+@pytest.mark.thorough
 def test_the_old_recording_is_kept_whole_and_the_new_one_follows_after_a_gap(story):
     both, n = story.outcome.recording, len(story.before)
     np.testing.assert_array_equal(both.t[:n], story.before.t)
@@ -93,12 +97,14 @@ def test_the_old_recording_is_kept_whole_and_the_new_one_follows_after_a_gap(sto
     np.testing.assert_array_equal(read_recording(story.out).wrench, both.wrench)
 
 
+@pytest.mark.thorough
 def test_no_limit_was_exceeded_by_the_proposed_motion(story):
     assert story.outcome.restarts == 0
     assert story.outcome.safety.max_speed_m_s <= story.cell.limits.cartesian_speed_m_s
     assert story.outcome.safety.min_distance_m >= story.cell.limits.clearance_m
 
 
+@pytest.mark.thorough
 def test_no_window_reaches_across_the_gap_and_offsets_may_differ(story):
     windows, gap = story.second[1].windows, (story.before.t[-1], story.outcome.recording.t[len(story.before)])
     reach = 2.0 * windows.step
@@ -111,12 +117,14 @@ def test_no_window_reaches_across_the_gap_and_offsets_may_differ(story):
     assert (np.abs(change - at_home) < 5.0 * noise * np.sqrt(2 / 20)).all()
 
 
+@pytest.mark.thorough
 def test_the_payload_of_both_together_is_identified(story):
     estimate = identify_recording(story.outcome.recording).estimate
     truth = story.cell.payloads[CARRIED].parameters.phi
     assert np.all(np.abs(estimate.phi - truth) < 4.5 * estimate.std)
 
 
+@pytest.mark.thorough
 def test_what_is_no_motion_or_no_recording_of_this_robot_is_refused_before_anything_moves(story):
     other = load_cell(find_cell("ur5e_line"))
     carried = other.payloads["cylinder"]

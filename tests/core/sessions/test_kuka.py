@@ -156,16 +156,16 @@ def disturb(bench, what):
 @pytest.mark.parametrize(
     ("what", "says"),
     [
-        ("stop 0", "safety controller has stopped the robot at once"),
+        pytest.param("stop 0", "safety controller has stopped the robot at once", marks=pytest.mark.thorough),
         ("stop 1", "stopped the robot on its path"),
-        ("stop 2", "asks for a standstill"),
+        pytest.param("stop 2", "asks for a standstill", marks=pytest.mark.thorough),
         ("motion ended", r"session state 2, 4 needed.*paused or stopped"),
-        ("closed", "has closed the session"),
-        ("mode", r"mode of operation \(T1"),
+        pytest.param("closed", "has closed the session", marks=pytest.mark.thorough),
+        pytest.param("mode", r"mode of operation \(T1", marks=pytest.mark.thorough),
         ("drive", r"axis A1 is off.*state 0, 2 needed"),
-        ("control", "to 2; Heft needs 0"),
+        pytest.param("control", "to 2; Heft needs 0", marks=pytest.mark.thorough),
         ("deaf", r"quality 0 of 3, 2 needed|had no command"),
-        ("poor", r"quality [01] of 3, 2 needed"),
+        pytest.param("poor", r"quality [01] of 3, 2 needed", marks=pytest.mark.thorough),
     ],
 )
 def test_what_the_controller_the_line_or_somebody_else_does_ends_the_motion_with_a_reason(bench, what, says):

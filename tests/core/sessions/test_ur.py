@@ -99,11 +99,11 @@ def stop_of(arm, what):
     [
         ("emergency", "emergency stop is pressed"),
         ("protective", "protective stop"),
-        ("safeguard", "safeguard stop"),
+        pytest.param("safeguard", "safeguard stop", marks=pytest.mark.thorough),
         ("slider", "speed slider is at 50 %"),
         ("ended", "program on the controller has ended"),
-        ("remote", "taken out of remote control"),
-        ("off", "not switched on"),
+        pytest.param("remote", "taken out of remote control", marks=pytest.mark.thorough),
+        pytest.param("off", "not switched on", marks=pytest.mark.thorough),
     ],
 )
 def test_what_the_controller_does_by_itself_ends_the_motion_with_a_reason(bench, what, says):

@@ -109,16 +109,16 @@ def disturb(arm, what):
     [
         ("emergency", "emergency stop is pressed"),
         ("collision", r"collision.*\(error 31\)"),
-        ("sensor", r"force/torque sensor.*\(error 50\)"),
-        ("motor", r"motor \(error 13\)"),
-        ("unknown", "reports the error 110"),
+        pytest.param("sensor", r"force/torque sensor.*\(error 50\)", marks=pytest.mark.thorough),
+        pytest.param("motor", r"motor \(error 13\)", marks=pytest.mark.thorough),
+        pytest.param("unknown", "reports the error 110", marks=pytest.mark.thorough),
         ("mode", r"into mode 0 \(Heft needs 1"),
-        ("paused", "was paused in UFACTORY Studio"),
+        pytest.param("paused", "was paused in UFACTORY Studio", marks=pytest.mark.thorough),
         ("stopped", "was stopped in UFACTORY Studio"),
         ("payload", r"from 0\.000 to 0\.500 kg.*nothing is recorded across it"),
-        ("tool", "tool centre point"),
-        ("zeroed", "set the zero of the force/torque sensor"),
-        ("went off", "switched the force/torque sensor off"),
+        pytest.param("tool", "tool centre point", marks=pytest.mark.thorough),
+        pytest.param("zeroed", "set the zero of the force/torque sensor", marks=pytest.mark.thorough),
+        pytest.param("went off", "switched the force/torque sensor off", marks=pytest.mark.thorough),
     ],
 )
 def test_what_the_controller_or_somebody_else_does_ends_the_motion_with_a_reason(bench, what, says):

@@ -61,7 +61,7 @@ KNOWN = {"cell": "lwr4_bench", "payload": "steel_block"}
 OF_THE_CELL = ("speed_m_s", "start_rad")
 """What has to go with the cell, which the description does not say."""
 IN_A_ROW = settings(
-    max_examples=20,
+    max_examples=10,
     stateful_step_count=8,
     database=None,
     deadline=None,
@@ -70,7 +70,7 @@ IN_A_ROW = settings(
     suppress_health_check=list(HealthCheck),
 )
 MADE_UP = settings(
-    max_examples=6,
+    max_examples=4,
     database=None,
     deadline=None,
     derandomize=True,

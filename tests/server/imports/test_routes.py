@@ -97,7 +97,9 @@ FORMATS: dict[str, tuple[Callable[[Path], Path | tuple[Path, ...]], int, str]] =
 }
 
 
-@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize(
+    "form", [form if form in ("csv", "rtde", "ros 2, mcap") else pytest.param(form, marks=pytest.mark.thorough) for form in FORMATS]
+)
 def test_a_log_is_understood_without_a_question_and_is_a_recording_then(operator: TestClient, tmp_path: Path, form: str) -> None:
     write, sign, axes = FORMATS[form]
     made = write(tmp_path)
