@@ -109,6 +109,7 @@ def test_a_run_that_lost_its_console_is_gone_on_with_from_another_screen(watchin
     assert watching.complaints == []
 
 
+@pytest.mark.thorough
 def test_an_aborted_run_is_so_on_every_screen_until_somebody_has_looked(watching: Tablet, person: Console):
     run = moving(person)
     assert person.command(run, "abort").status_code == 200

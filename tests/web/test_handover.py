@@ -115,6 +115,7 @@ def test_a_request_can_be_withdrawn(anna: Tablet, ben: Tablet):
     check_in_control(anna, ben)
 
 
+@pytest.mark.thorough
 def test_control_that_nobody_answers_for_passes_by_time_and_the_first_screen_says_so_until_it_is_read(anna: Tablet, ben: Tablet):
     ben.press("Ask for control")
     anna.page.locator(".control-request").wait_for()

@@ -175,6 +175,7 @@ def test_a_socket_that_breaks_once_covers_nothing(service: RealService, browser:
         assert at.page.evaluate("window.layers") == 0
 
 
+@pytest.mark.thorough
 def test_a_minute_of_a_run_is_followed_without_asking_again(moving: Tablet) -> None:
     asked: list[str] = []
     moving.page.on("request", lambda request: asked.append(request.url) if "/api/" in request.url else None)
