@@ -61,7 +61,7 @@ KNOWN = {"cell": "lwr4_bench", "payload": "steel_block"}
 OF_THE_CELL = ("speed_m_s", "start_rad")
 """What has to go with the cell, which the description does not say."""
 IN_A_ROW = settings(
-    max_examples=10,
+    max_examples=20,
     stateful_step_count=8,
     database=None,
     deadline=None,
