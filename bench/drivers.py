@@ -145,23 +145,11 @@ def ignore(_: Event) -> None:
 
 
 @contextmanager
-def serving(robot: Robot, patience_s: float | None) -> Iterator[subprocess.Popen[str]]:
+def serve_apart(robot: Robot, patience_s: float | None) -> Iterator[None]:
     """The stand-in as a program of its own, as a controller is another computer; ended with what it counted as its last line."""
     patience = [] if patience_s is None else ["--patience", str(patience_s)]
-    command = [
-        sys.executable,
-        "-m",
-        "core.cli",
-        "fake",
-        *robot.fake,
-        "--host",
-        robot.host,
-        "--payload",
-        "steel_block",
-        "--seed",
-        "1",
-        *patience,
-    ]
+    options = ["--host", robot.host, "--payload", CARRIED_NAME, "--seed", "1", *patience]
+    command = [sys.executable, "-m", "core.cli", "fake", *robot.fake, *options]
     signal.signal(signal.SIGINT, signal.default_int_handler)  # what a shell ignores in the background the stand-in would ignore, too
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as served:
         try:
@@ -169,7 +157,7 @@ def serving(robot: Robot, patience_s: float | None) -> Iterator[subprocess.Popen
             said = served.stdout.readline()
             if robot.host not in said:
                 raise RuntimeError(said + served.stdout.read())
-            yield served
+            yield
         finally:
             served.send_signal(signal.SIGINT)
             print("  " + served.communicate()[0].strip(), flush=True)
@@ -178,7 +166,7 @@ def serving(robot: Robot, patience_s: float | None) -> Iterator[subprocess.Popen
 def measure_procedure(robot: Robot, minutes: float, patience_s: float | None) -> None:
     """Procedures one after the other until the time is over."""
     cell = robot.cell_at(robot.host)
-    with serving(robot, patience_s):
+    with serve_apart(robot, patience_s):
         began, runs = time.monotonic(), 0
         while not runs or time.monotonic() < began + 60.0 * minutes:
             try:
@@ -317,12 +305,11 @@ def move_with_fault(robot: Robot, name: str, seed: int) -> str:
                 if name in robot.during:
                     robot.during[name](server, random)
                 q = session.state().q_cmd
-                ways = np.where(np.arange(q.size) % 2, -1.0, 1.0) * np.linspace(
-                    0.6, 1.0, q.size
-                )  # each joint its own, so that no two can be confused
+                # each joint at a speed of its own, so that no two can be confused
+                speeds = 0.1 * np.where(np.arange(q.size) % 2, -1.0, 1.0) * np.linspace(0.6, 1.0, q.size)
                 for k in range(round(3.0 / session.period)):
                     seen.append(session.state())
-                    q = q + session.period * 0.1 * min(1.0, 5.0 * k * session.period) * ways
+                    q = q + session.period * min(1.0, 5.0 * k * session.period) * speeds
                     session.command(q)
             outcome = "went on"
         except HeftError as error:

@@ -70,8 +70,12 @@ def main() -> None:
         for name in asked.robots:
             try:
                 cell = load(name, Path(folder))
+            except RuntimeError as error:  # no configuration is free
+                print(f"{name}: {error}", flush=True)
+                continue
+            try:
                 whole, early = (carry_out(calibrate(cell), asked.seed, each) for each in (None, target))
-            except (Refused, Stopped, RuntimeError) as error:  # the last: no configuration is free
+            except (Refused, Stopped) as error:
                 print(f"{name}: {type(error).__name__}: {str(error)[:100]}", flush=True)
                 continue
             ratio = early.robot_s / whole.robot_s

@@ -47,7 +47,7 @@ class SeveralPayloadShifts(PayloadShift):
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The three times, and the two, at which jumps of the first moment explain most of the residual; none where two explain little."""
         columns = regressor(scene.motion)[:, :, 1:4]
-        two, three = (best_steps(scene, residual, columns, count) for count in (SHIFTS - 1, SHIFTS))
+        two, three = best_steps(scene, residual, columns, SHIFTS)
         if two.share < SIGN:
             return []
         absent = [p.absent for p in self.parameters(scene)[:4]]

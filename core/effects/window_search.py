@@ -79,10 +79,10 @@ class Steps(NamedTuple):
     share: float
 
 
-def best_steps(scene: Scene, residual: Array, columns: Array, count: int) -> Steps:
-    """Steps of the columns that together explain most of a residual, payload and offsets fitted along.
+def best_steps(scene: Scene, residual: Array, columns: Array, most: int) -> list[Steps]:
+    """Two, three, and up to `most` steps of the columns that together explain most of a residual, payload and offsets fitted along.
 
-    The best pair of a coarse grid (`count` >= 2), then one more at a time; each is moved where it explains most until none moves.
+    The best pair of a coarse grid, then one more at a time; each is moved where it explains most until none moves.
 
     Args:
         residual, columns: as for `best_windows`.
@@ -93,20 +93,21 @@ def best_steps(scene: Scene, residual: Array, columns: Array, count: int) -> Ste
     apart = max(2, N // COARSE)
     all_rows, coarse = np.arange(apart, N - apart), np.linspace(apart, N - apart - 1, COARSE // 2, dtype=np.intp)
     pairs = np.column_stack([coarse[index] for index in np.triu_indices(len(coarse), 1)])
-    best = pairs[np.argmax(gain.of_steps(pairs)[0])]
-    for steps in range(2, count + 1):
-        if steps > 2:
-            best = _place(gain, np.append(best, all_rows[0]), steps - 1, all_rows, apart)
+    best, found = pairs[np.argmax(gain.of_steps(pairs)[0])], []
+    whole = max(float(np.square(residual[rows]).sum()), 1e-12)
+    for count in range(2, most + 1):
+        if count > 2:
+            best = _place(gain, np.append(best, all_rows[0]), count - 1, all_rows, apart)
         for _ in range(ROUNDS):
             before = best
-            for k in range(steps):
+            for k in range(count):
                 best = _place(gain, best, k, all_rows, apart)
             if np.array_equal(best, before):
                 break
-    best = np.sort(best)
-    found, amplitudes = gain.of_steps(best[None])
-    share = float(found[0]) / max(float(np.square(residual[rows]).sum()), 1e-12)
-    return Steps(t[best], amplitudes[0] / max(float(np.abs(amplitudes).max()), 1e-12), share)
+        steps = np.sort(best)
+        taken, amplitudes = gain.of_steps(steps[None])
+        found.append(Steps(t[steps], amplitudes[0] / max(float(np.abs(amplitudes).max()), 1e-12), float(taken[0]) / whole))
+    return found
 
 
 def _place(gain: _Gain, steps: Rows, k: int, candidates: Rows, apart: int) -> Rows:

@@ -12,7 +12,7 @@ where `alpha` is the axial vector of B and `omega omega^T - omega^2 1` its symme
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -20,10 +20,10 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array, diags_array
 
 from core.array import Array
-from core.estimation.annihilating_filter import AnnihilatingFilter
-from core.estimation.banded import BAND, bands_of, trace
+from core.estimation.banded import BAND, bands_of
 from core.estimation.kinematics import TWIST_S, Poses, axial, local_derivative
 from core.estimation.lost_rows import fill_lost_rows
+from core.estimation.pose_gram import PoseGram
 from core.estimation.splines import cubic_pieces, cubic_slopes
 from core.payload.inertia import inertia_columns, symmetric
 from core.payload.rotations import cross, rotation_of, skew
@@ -291,55 +291,20 @@ class WeakForm:
         position, rotation = moved[:, :3], moved[:, 3:].reshape(-1, 3, 3)
         turned = [[self._on_measured(csr_array(W @ diags_array(each) @ difference)) for each in axis] for axis in np.moveaxis(apart, 0, -1)]
 
-        def seen_along(axis: int, way: Array) -> csr_array:
+        def average_along(axis: int, way: Array) -> csr_array:
             """(K, N), windowed acceleration along an axis of the sensor by the errors of the instants, where these move by `way` (N, 3)."""
             along_base = [turned[base][axis] @ diags_array(way[:, base]) for base in range(3)]
             return csr_array(along_base[0] + along_base[1] + along_base[2])
 
-        seen = [seen_along(axis, position) for axis in range(3)]
+        seen = [average_along(axis, position) for axis in range(3)]
         for j, k in ((1, 2), (2, 0), (0, 1)):
-            seen.append(0.5 * (seen_along(k, rotation[:, :, j]) - seen_along(j, rotation[:, :, k])))
+            seen.append(0.5 * (average_along(k, rotation[:, :, j]) - average_along(j, rotation[:, :, k])))
         added = np.zeros((6, 6, BAND, len(self)))
         for a, b in np.ndindex(6, 6):
             if b <= a:
                 product = csr_array(seen[a] @ seen[b].T)
                 added[a, b] = added[b, a] = bands_of(csr_array(0.5 * (product + product.T)))
         return added
-
-
-@dataclass(frozen=True)
-class PoseGram:
-    """Covariance of the windowed accelerations by the noise of the poses.
-
-    Args:
-        noise: (6, 6), of one sample, the same everywhere.
-        steady: (b, K), lower bands for unit noise.
-        jittered: (6, 6, b, K), what goes with the speed; None where the samples have their instants.
-    """
-
-    noise: Array
-    steady: Array
-    jittered: Array | None
-
-    def behind(self, filtering: AnnihilatingFilter) -> PoseGram:
-        """Of what passes a filter over the windows."""
-        if self.jittered is None:
-            return replace(self, steady=filtering.covariance(self.steady))
-        jittered = np.zeros((6, 6, self.jittered.shape[2] + filtering.reach, self.jittered.shape[3]))
-        for a, b in np.ndindex(6, 6):
-            if b <= a:
-                jittered[a, b] = jittered[b, a] = filtering.covariance(self.jittered[a, b])
-        return replace(self, steady=filtering.covariance(self.steady), jittered=jittered)
-
-    def find_variance_through(self, m: Array) -> Array:
-        """(b, K) of a channel in which the accelerations show as m (6,)."""
-        seen = (m @ self.noise @ m) * self.steady
-        return seen if self.jittered is None else seen + np.einsum("i,ijbk,j->bk", m, self.jittered, m, optimize=True)
-
-    def trace_with(self, inverse: Array) -> Array:
-        """(6, 6), trace of the products with the inverse (b, K) of a channel's covariance."""
-        steady = self.noise * trace(inverse, self.steady)
-        return steady if self.jittered is None else steady + trace(inverse, self.jittered)
 
 
 def second_difference(t: Array) -> csr_array:

@@ -19,8 +19,6 @@ class Whitener:
     """
 
     def __init__(self, average: csr_array, factors: list[Array]) -> None:
-        average = average.copy()
-        average.eliminate_zeros()  # where windows end, a fifth of all
         self._average = (average.data, average.indices.astype(np.uintp), average.indptr.astype(np.uintp))
         bands = np.stack(factors)  # (6, b, K)
         by_row = np.zeros((bands.shape[2], bands.shape[1], 6))

@@ -92,7 +92,8 @@ def _carry_out(
     pace = RealTime() if order.pace == "real_time" else AsFastAsPossible()
     twin = read_twin(order.cell)
     before = None if order.continues is None else read_recording(order.continues.recording)
-    simulation = Simulation(_find_carried(order), order.seed + order.empty, pace, twin, _find_start(order, before))
+    seed = order.seed + order.empty  # what two runs are compared by is not the same noise
+    simulation = Simulation(_find_carried(order), seed, pace, twin, _find_start(order, before))
     session = LeasedSession(open_robot_session(order.cell, simulation), lease)
     start = session.find_start()
     model = RobotModel.of_cell(order.cell)
