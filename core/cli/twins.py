@@ -32,7 +32,7 @@ def add(
     recording: Annotated[
         Path, typer.Argument(metavar="RECORDING", help="Folder of a recording, or the file that `heft diagnose --json` wrote of one.")
     ],
-    effect: Annotated[str, typer.Argument(metavar="EFFECT", help="An effect's identifier, or two as in `time_delay+base_tilt`.")],
+    effect: Annotated[str, typer.Argument(metavar="EFFECT", help="An effect's identifier, or several as in `time_delay+base_tilt`.")],
 ) -> None:
     """Add an effect to the cell's twin as a recording shows it: simulation, identification and diagnosis count with it from then on."""
     chosen = find_effects(effect)

@@ -15,6 +15,8 @@ from core.recording.recording import Recording
 
 SETTLING = 0.25
 """Share of each hold that is left out at its start, where the arm still rings."""
+LEAVING = 0.1
+"""The same at its end, where an arm that speeds up is slow and yet accelerates."""
 SHORTEST = 64
 """Samples; a shorter hold says too little of noise."""
 LOWEST_HZ = 10.0
@@ -48,15 +50,15 @@ def rate(recording: Recording) -> float:
 
 
 def hold_noise(recording: Recording, holds: tuple[slice, ...], *, keep: NDArray[np.bool_] | None = None) -> list[Array]:
-    """(M_i, 6) of each hold that is long enough: its later part without a quadratic trend, N and N m; only rows in `keep` (N,)."""
+    """(M_i, 6) of each hold that is long enough: its middle without a quadratic trend, N and N m; only rows in `keep` (N,)."""
     noise = []
     for hold in holds:
         rows = range(*hold.indices(len(recording)))
-        first = rows.start + round(SETTLING * len(rows))
-        if recording.wrench is None or rows.stop - first < SHORTEST:
+        first, stop = rows.start + round(SETTLING * len(rows)), rows.stop - round(LEAVING * len(rows))
+        if recording.wrench is None or stop - first < SHORTEST:
             continue
-        kept = slice(None) if keep is None else keep[first : rows.stop]
-        part = recording.wrench[first : rows.stop][kept]
+        kept = slice(None) if keep is None else keep[first:stop]
+        part = recording.wrench[first:stop][kept]
         if len(part) < SHORTEST // 2:
             continue
         trend, _ = np.linalg.qr(np.vander(np.linspace(-1, 1, len(part)), 3))

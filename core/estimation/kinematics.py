@@ -18,6 +18,8 @@ SLOWEST_PERIOD_S, FEWEST_SAMPLES = 0.02, 50
 """Sampled more slowly, or fewer, a recording is a list of poses: nothing is known of the way between them."""
 TWIST_S = 0.05
 """Window of the local cubics behind the speed that jitter goes with."""
+SMOOTH_S = 0.08
+"""Window of the local cubics through the rotations that accelerations are turned with."""
 LONGEST_STENCIL = 8.0
 """Periods, of five samples that a cubic is laid through."""
 FEWEST, SPEEDS = 30, 6
@@ -212,6 +214,15 @@ def smooth_motion(poses: Poses, *, window_s: float) -> tuple[Motion, Array]:
     v = _derivative(poses.position, length, 1, poses.period)
     a = np.einsum("nji,nj->ni", R, _derivative(poses.position, length, 2, poses.period))
     return Motion(poses.g, a, omega, alpha), np.linalg.norm(v, axis=1)
+
+
+def smooth_rotation(poses: Poses) -> Array:
+    """(N, 3, 3), that second differences are turned with.
+
+    Two noisy factors are noise that no window damps, and with a mean of its own where they share samples: one has to be smooth.
+    """
+    window_s = max(SMOOTH_S, 7.0 * poses.period)
+    return local_derivative(poses.rotation.reshape(-1, 9), 0, poses.period, window_s=window_s).reshape(-1, 3, 3)
 
 
 def local_derivative(x: Array, order: int, period: float, *, window_s: float) -> Array:

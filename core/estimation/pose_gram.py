@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.sparse import csr_array
 
 from core.array import Array
 from core.estimation.annihilating_filter import AnnihilatingFilter
-from core.estimation.banded import trace
+from core.estimation.banded import BAND, bands_of, trace
 
 
 @dataclass(frozen=True)
@@ -24,6 +26,23 @@ class PoseGram:
     noise: Array
     steady: Array
     jittered: Array | None
+
+    @classmethod
+    def of(cls, noise: Array, second: csr_array, jittered: Sequence[csr_array], count: int = BAND) -> PoseGram:
+        """From the windows' second differences (K, N) of the poses and, where their instants are off, the six accelerations (K, N) of that.
+
+        Args:
+            count: of lower bands.
+        """
+        steady = bands_of(csr_array(second @ second.T), count)
+        if not jittered:
+            return cls(noise, steady, None)
+        added = np.zeros((6, 6, *steady.shape))
+        for a, b in np.ndindex(6, 6):
+            if b <= a:
+                product = csr_array(jittered[a] @ jittered[b].T)
+                added[a, b] = added[b, a] = bands_of(csr_array(0.5 * (product + product.T)), count)
+        return cls(noise, steady, added)
 
     def behind(self, filtering: AnnihilatingFilter) -> PoseGram:
         """Of what passes a filter over the windows."""

@@ -20,8 +20,9 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array, diags_array
 
 from core.array import Array
-from core.estimation.banded import BAND, bands_of
-from core.estimation.kinematics import TWIST_S, Poses, axial, local_derivative
+from core.estimation.banded import bands_of
+from core.estimation.jitter import find_jittered
+from core.estimation.kinematics import Poses, axial, smooth_rotation
 from core.estimation.lost_rows import fill_lost_rows
 from core.estimation.pose_gram import PoseGram
 from core.estimation.splines import cubic_pieces, cubic_slopes
@@ -32,8 +33,6 @@ STEP_S = 0.025
 """Knot spacing of the windows: features up to 20 Hz are kept."""
 MOST_WINDOWS = 40_000
 """A quarter of an hour with that spacing: longer recordings have wider windows, of an hour 0.09 s, up to 5.5 Hz."""
-SMOOTH_S = 0.08
-"""Window of the local cubics through the rotations that accelerations are turned with."""
 MARGIN_S = 0.06
 """Largest delay that the windows can be shifted by."""
 SAME_DELAY_S = 1e-7
@@ -135,20 +134,11 @@ class RawFeatures:
     def __init__(self, poses: Poses, difference: csr_array | None = None) -> None:
         n = len(poses.t)
         self.difference = second_difference(poses.t) if difference is None else difference
-        apart = _smooth_rotation(poses)
+        apart = smooth_rotation(poses)
         self.B = np.einsum("nji,njk->nik", apart, (self.difference @ poses.rotation.reshape(n, 9)).reshape(-1, 3, 3))
         self.a = np.zeros((n, 3))
         if poses.position is not None:
             self.a = np.einsum("nji,nj->ni", apart, self.difference @ poses.position)
-
-
-def _smooth_rotation(poses: Poses) -> Array:
-    """(N, 3, 3), that second differences are turned with.
-
-    Two noisy factors are noise that no window damps, and with a mean of its own where they share samples: one has to be smooth.
-    """
-    window_s = max(SMOOTH_S, 7.0 * poses.period)
-    return local_derivative(poses.rotation.reshape(-1, 9), 0, poses.period, window_s=window_s).reshape(-1, 3, 3)
 
 
 class WeakForm:
@@ -274,37 +264,8 @@ class WeakForm:
         W = csr_array(diags_array(1.0 / np.asarray(W.sum(axis=1))) @ W)
         difference = second_difference(self.poses.t)
         second, measured = self._on_measured(csr_array(W @ difference)), self._on_measured(W)
-        jittered = None if self.poses.jitter_s == 0.0 else self._find_jittered(W, difference)
-        return bands_of(measured @ measured.T), PoseGram(noise, bands_of(second @ second.T), jittered)
-
-    def _find_jittered(self, W: csr_array, difference: csr_array) -> Array:
-        """(6, 6, 5, K), what the jitter of the samples adds: an error of the instant moves the pose along its way.
-
-        Args:
-            W: (K, N), of the windows; difference: (N, N).
-        """
-        poses, apart = self.poses, _smooth_rotation(self.poses)
-        position = np.zeros((len(apart), 3)) if poses.position is None else poses.position
-        pose = np.concatenate((position, poses.rotation.reshape(-1, 9)), axis=1)
-        moved = poses.jitter_s * local_derivative(pose, 1, poses.period, window_s=TWIST_S)
-        moved = moved if self._filled is None else moved[self._filled.measured]
-        position, rotation = moved[:, :3], moved[:, 3:].reshape(-1, 3, 3)
-        turned = [[self._on_measured(csr_array(W @ diags_array(each) @ difference)) for each in axis] for axis in np.moveaxis(apart, 0, -1)]
-
-        def average_along(axis: int, way: Array) -> csr_array:
-            """(K, N), windowed acceleration along an axis of the sensor by the errors of the instants, where these move by `way` (N, 3)."""
-            along_base = [turned[base][axis] @ diags_array(way[:, base]) for base in range(3)]
-            return csr_array(along_base[0] + along_base[1] + along_base[2])
-
-        seen = [average_along(axis, position) for axis in range(3)]
-        for j, k in ((1, 2), (2, 0), (0, 1)):
-            seen.append(0.5 * (average_along(k, rotation[:, :, j]) - average_along(j, rotation[:, :, k])))
-        added = np.zeros((6, 6, BAND, len(self)))
-        for a, b in np.ndindex(6, 6):
-            if b <= a:
-                product = csr_array(seen[a] @ seen[b].T)
-                added[a, b] = added[b, a] = bands_of(csr_array(0.5 * (product + product.T)))
-        return added
+        jittered = [csr_array(W @ each) for each in find_jittered(self.poses, difference, self._filled)]
+        return bands_of(measured @ measured.T), PoseGram.of(noise, second, jittered)
 
 
 def second_difference(t: Array) -> csr_array:

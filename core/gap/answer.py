@@ -76,14 +76,14 @@ class Explanation(DiagnosisPart):
 
 
 class Pair(DiagnosisPart):
-    """Two effects at once; `addable` and `why_not` as of one, `covariance` of the parameters of each."""
+    """Two effects at once, or three; `addable` and `why_not` as of one, `covariance` of the parameters of each."""
 
-    ids: tuple[str, str] = Field(description="Names of the two effects.", examples=[["time_delay", "base_tilt"]])
+    ids: tuple[str, ...] = Field(description="Names of the effects.", min_length=2, max_length=3, examples=[["time_delay", "base_tilt"]])
     probability: float = Field(description="Probability of this explanation, 0 to 1.", examples=[0.71])
-    gap_after: float = Field(description="What is left of the gap with both, in multiples of the noise (rms).", examples=[1.05])
-    closure: float = Field(description="Share of the gap that goes away with both, 0 to 1.", examples=[0.98])
+    gap_after: float = Field(description="What is left of the gap with all of them, in multiples of the noise (rms).", examples=[1.05])
+    closure: float = Field(description="Share of the gap that goes away with all of them, 0 to 1.", examples=[0.98])
     parameters: dict[str, dict[str, Value]] = Field(default_factory=dict, description="Fitted parameters by effect and name.")
-    addable: bool = Field(default=False, description="Whether the cell's twin would take both.")
+    addable: bool = Field(default=False, description="Whether the cell's twin would take all of them.")
     why_not: MessageIfAny = Field(default=None, description="What stands against that; null where nothing does.")
     covariance: dict[str, Triangle] = Field(
         default_factory=dict,
@@ -297,7 +297,7 @@ class Diagnosis(DiagnosisPart):
     effects: list[Explanation] = Field(description="Single effects that explain the gap, the most probable first.")
     none_probability: float = Field(description="Probability that there is no gap worth a name, 0 to 1.", examples=[0.01])
     unknown_probability: float = Field(description="Probability that it is something the library does not have, 0 to 1.", examples=[0.04])
-    pairs: list[Pair] = Field(description="Two effects at once, the most probable first.")
+    pairs: list[Pair] = Field(description="Two effects at once, or three, the most probable first.")
     minor: list[Minor] = Field(description="Effects on the wrench that were detected, but are not material.")
     also: list[Also] = Field(default_factory=list, description="What is seen elsewhere than in the wrench.")
     indistinguishable: list[Tied] = Field(description="What this recording cannot tell apart.")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import reduce
+from itertools import islice
 
 from core.effects.effect import STAGE_NAMES
 from core.effects.parameter_title import find_title
@@ -62,7 +63,7 @@ def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:
         effects=[explain(evidence, fit, p) for fit, p in explained if len(fit.effects) == 1],
         none_probability=attribution.none if material else 1.0 - LAPSE,
         unknown_probability=attribution.unknown if material else LAPSE,
-        pairs=[explain_both(evidence, fit, p) for fit, p in explained if len(fit.effects) == 2],
+        pairs=[explain_both(evidence, fit, p) for fit, p in explained if len(fit.effects) > 1],
         minor=[] if material else _minor(evidence),
         indistinguishable=[_describe_tie(tie, evidence.proposals) for tie in attribution.ties] if material else [],
         where=_where(recording, Residual(windows, nominal), best, verdict),
@@ -102,7 +103,7 @@ def _summarise(verdict: Verdict, evidence: Evidence) -> Message:
 
 
 def _name(fit: EffectFit) -> Message:
-    """What it adds: one effect, or two."""
+    """What it adds: one effect, or several."""
     return reduce(lambda first, second: Message.of("effect-and", first=first, second=second), [effect.title for effect in fit.effects])
 
 
@@ -150,17 +151,16 @@ def explain(evidence: Evidence, fit: EffectFit, probability: float) -> Explanati
 
 
 def explain_both(evidence: Evidence, fit: EffectFit, probability: float) -> Pair:
-    """The same of two effects at once."""
-    windows, (a, b) = evidence.windows, fit.effects
-    against = why_not_addable(evidence, fit)
-    values = list(describe_values(fit).items())
-    count = sum(p.shown for p in a.parameters(windows.basis.scene))
+    """The same of several effects at once."""
+    windows, against = evidence.windows, why_not_addable(evidence, fit)
+    values = iter(describe_values(fit).items())
+    counts = [(effect, sum(p.shown for p in effect.parameters(windows.basis.scene))) for effect in fit.effects]
     return Pair(
-        ids=(a.id, b.id),
+        ids=tuple(effect.id for effect in fit.effects),
         probability=probability,
         gap_after=gap_of(windows, fit),
         closure=closure_of(windows, evidence.nominal, fit)[0],
-        parameters={a.id: dict(values[:count]), b.id: dict(values[count:])},
+        parameters={effect.id: dict(islice(values, count)) for effect, count in counts},
         addable=against is None,
         why_not=against,
         covariance=_covariances(evidence, fit) if against is None else {},

@@ -21,7 +21,7 @@ from core.gap.windows import Windows
 NONE_PRIOR = 3.0
 """Of no effect, against each single one."""
 PAIR_PRIOR = 0.001
-"""Of two effects at once, against one."""
+"""Of a further effect at once, against none."""
 BEND = 0.5
 """Of the logarithm of the independent draws that each of the first `STIFF` parameters costs; 1/2 is Schwarz's criterion."""
 BENT = 0.001

@@ -30,6 +30,10 @@ NARROW_S = 0.0125
 NOTHING_MOVES_RAD = 0.02
 LEAST_ZERO_STD_RAD = 1e-6
 """A prior needs some width."""
+FEWEST_HOLDS = 4
+"""Where positions are not recorded and the sensor rested so often, turned, rest is compared alone: how it was accelerated nobody knows."""
+TURNED_M_S2 = 0.5
+"""By which gravity has to differ between such holds, standard deviation along its second direction."""
 FEWEST_POSES = 16
 """A linear channel under any gravity that drifts can follow eleven of them whatever the noise."""
 
@@ -127,8 +131,24 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
     known = recording.reference_of_whole
     reference = None if known is None else known.phi
     V, equations = regressor_of(a - g, B), window_rows(poses, t, 1.0 if fresh is None else fresh.every)
+    if poses.position is None:
+        equations = _take_rest(equations, g, np.asarray(spread @ still.astype(float)))
     measured, zero_std = np.asarray(spread @ wrench), find_zero_std(recording)
     return Basis(poses, noise, segments, scene, measured, V, reference, zero_std, spread, raw.difference, equations)
+
+
+def _take_rest(rows: Rows, g: Array, still: Array) -> Rows:
+    """The windows in which nothing moves, where they hold enough; else all of them, about one place.
+
+    Args:
+        g: (N, 3), gravity in the sensor's axes, on the grid. still: (N,), share of the samples behind each that are at rest.
+    """
+    rests = np.flatnonzero(rows.average @ still > 1.0 - 1e-9)
+    holds = np.split(rests, np.flatnonzero(np.diff(rests) > 1) + 1)
+    turned = np.array([(rows.average[hold] @ g).mean(axis=0) for hold in holds if len(hold)])
+    if len(turned) < FEWEST_HOLDS or np.linalg.svd(turned - turned.mean(axis=0), compute_uv=False)[1] < TURNED_M_S2 * np.sqrt(len(turned)):
+        return rows
+    return replace(rows, centres=rows.centres[rests], average=csr_array(rows.average[rests]), part=rows.part[rests], at_rest=True)
 
 
 def find_zero_std(recording: Recording) -> float:

@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+import numpy as np
+
 from core.effects.effect import Effect
 from core.effects.library import wider_shapes
 from core.effects.scene import Scene
@@ -15,7 +17,7 @@ from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.fit_all import FitAll, Task, on_all_cores
 from core.gap.materiality import is_material
 from core.gap.most_rows import DRAWN, PARTS, fit_most
-from core.gap.partners import partners
+from core.gap.partners import leave_out_each, partners
 from core.gap.proposal import Proposal
 from core.gap.tie import Tie, distance_sigma
 from core.gap.windows import PHI, Windows
@@ -23,14 +25,18 @@ from core.words.message import Message
 
 EXPLAINED = 0.5
 """Probability from which one name is given."""
-FIRSTS, SECONDS = 2, 3
-"""A second effect is sought for the best single ones, and the most promising ones are fitted."""
+FIRSTS, FURTHER = 2, 3
+"""A second effect is sought for the best two single ones, a third for the best pair; the three most promising ones of each are fitted. What
+stands for several at once bends best alone, and is left out again: so then is each of the best set, and others are sought in its place."""
+MOST_TOGETHER, EXCHANGES = 3, 3
+EQUATIONS = 5
+"""For each parameter of several effects at once, at least: a list of poses has few, and much would fit it."""
 ONE_IS_ENOUGH = 0.01
 """Share of the excess left over by one effect below which a second one is not sought: it would only pick up what a model gets wrong."""
 ONE_IS_CLEAR = 3e-4
 """The same below which no effect is started from the rows that most agree on: what spoils the first estimate leaves more to the others."""
-SECOND_EXPLAINS = 1.0 / 3.0
-"""A second effect has to explain most of what the first leaves over, or it is none."""
+FURTHER_EXPLAINS = 1.0 / 3.0
+"""A further effect has to explain most of what those before it leave over, or it is none."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +46,7 @@ class Evidence:
     Args:
         windows: of the recording.
         nominal: the twin as it is.
-        singles, pairs: one effect added, or two.
+        singles, joined: one effect added, or two or three at once.
         attribution: their probabilities.
         limits: which effects the recording cannot show, and why.
         proposals: what to measure next, best first.
@@ -49,7 +55,7 @@ class Evidence:
     windows: Windows
     nominal: EffectFit
     singles: tuple[EffectFit, ...]
-    pairs: tuple[EffectFit, ...]
+    joined: tuple[EffectFit, ...]
     attribution: Attribution
     limits: tuple[Message, ...]
     proposals: tuple[Proposal, ...] = ()
@@ -79,11 +85,12 @@ class Evidence:
 
     @property
     def rivals(self) -> tuple[Tie, ...]:
-        """What is to be told apart next: the ties, or the two most probable effects where none is tied."""
-        singles = [fit for fit, _ in self.attribution.explained if len(fit.effects) == 1]
-        if self.attribution.ties or len(singles) < 2:
+        """What is to be told apart next: the ties, or the two most probable explanations of as many effects where none is tied."""
+        explained = [fit for fit, _ in self.attribution.explained]
+        alike = [fit for fit in explained if len(fit.effects) == len(explained[0].effects)]
+        if self.attribution.ties or len(alike) < 2:
             return self.attribution.ties
-        first, second = singles[:2]
+        first, second = alike[:2]
         return (Tie(first, second, distance_sigma(self.windows, first, second)),)
 
 
@@ -91,7 +98,7 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     """Fits all effects singly, and the most promising pairs."""
     nominal = fit_nominal(windows)
     scene = windows.basis.scene.with_phi(nominal.phi)
-    absences = {effect: _explain_absence(effect, scene) for effect in effects}
+    absences = {effect: _explain_absence(effect, scene, at_rest=windows.basis.rows.at_rest) for effect in effects}
     shown = [effect for effect, reason in absences.items() if reason is None]
     wider = [effect for effect in wider_shapes() if effect.id in {each.id for each in shown}]
     residual = windows.on_grid(nominal.residual)
@@ -103,9 +110,9 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     singles = choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
     if leftover(nominal, min(singles, key=_total, default=nominal)) > ONE_IS_CLEAR:
         singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, shown, fit_all)])
-    pairs = _pairs(windows, nominal, singles, shown, fit_all)
-    attribution = attribute(windows, nominal, [*singles, *pairs])
-    return Evidence(windows, nominal, tuple(singles), tuple(pairs), attribution, describe_limits(absences))
+    joined = _join(windows, nominal, singles, shown, fit_all)
+    attribution = attribute(windows, nominal, [*singles, *joined])
+    return Evidence(windows, nominal, tuple(singles), tuple(joined), attribution, describe_limits(absences))
 
 
 def _fit_from_most(windows: Windows, nominal: EffectFit, effects: Sequence[Effect], fit_all: FitAll) -> list[EffectFit]:
@@ -124,9 +131,11 @@ def _total(fit: EffectFit) -> float:
     return float(fit.held_out.sum())
 
 
-def _explain_absence(effect: Effect, scene: Scene) -> Message | None:
-    if scene.apart and effect.needs_motion:
+def _explain_absence(effect: Effect, scene: Scene, *, at_rest: bool) -> Message | None:
+    if effect.needs_motion and scene.apart:
         return Message.of("effect-poses-apart")
+    if effect.needs_motion and at_rest:
+        return Message.of("effect-rest-alone")
     return effect.explain_absence(scene)
 
 
@@ -137,16 +146,36 @@ def describe_limits(reasons: Mapping[Effect, Message | None]) -> tuple[Message, 
     )
 
 
-def _pairs(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:
-    """Two effects at once, where one leaves something to explain; each pair once, as well as it was fitted from either side."""
-    ranked = sorted(singles, key=_total)
-    if not ranked or leftover(nominal, ranked[0]) < ONE_IS_ENOUGH:
+def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:
+    """Two effects at once, where one leaves something to explain, and where two do, three; each set once, as well as it was fitted."""
+    fitted = {fit.name: fit for fit in singles}
+    firsts = sorted(singles, key=_total)[:FIRSTS]
+    if not firsts or leftover(nominal, firsts[0]) < ONE_IS_ENOUGH or probabilities(nominal, singles)[0] > EXPLAINED:
         return []
-    none, *_ = probabilities(nominal, singles)
-    if none > EXPLAINED:
-        return []
-    tasks = [task for first in ranked[:FIRSTS] for task in partners(windows, first, effects, SECONDS)]
-    enough = SECOND_EXPLAINS * leftover(nominal, ranked[0])
-    found = sorted(fit_all(windows, tasks), key=lambda fit: fit.cost)
-    once = {fit.name: fit for fit in reversed(found)}
-    return [fit for fit in once.values() if leftover(nominal, fit) < enough]
+    found: list[EffectFit] = []
+    most = leftover(nominal, firsts[0])
+    while leftover(nominal, firsts[0]) > ONE_IS_ENOUGH and len(firsts[0].effects) < MOST_TOGETHER:
+        seen, grown = {first.name for first in firsts}, _fit_with_partners(windows, firsts, effects, fit_all)
+        for _ in range(EXCHANGES):
+            rests = [rest for fit in grown[:1] for rest in leave_out_each(windows, fit) if rest.name not in seen]
+            if not rests:
+                break
+            seen |= {rest.name for rest in rests}
+            fitted |= {fit.name: fit for fit in fit_all(windows, [rest for rest in rests if rest.name not in fitted])}
+            grown = _take_each_once([*grown, *_fit_with_partners(windows, [fitted[rest.name] for rest in rests], effects, fit_all)])
+        if not grown:
+            break
+        firsts, most = grown[:1], FURTHER_EXPLAINS * most
+        found += [fit for fit in grown if leftover(nominal, fit) < most and EQUATIONS * fit.free < fit.held_out.size]
+    return found
+
+
+def _fit_with_partners(windows: Windows, firsts: list[EffectFit], effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:
+    """Each with one effect more, the best first."""
+    return _take_each_once(fit_all(windows, [task for first in firsts for task in partners(windows, first, effects, FURTHER)]))
+
+
+def _take_each_once(fits: list[EffectFit]) -> list[EffectFit]:
+    """The best fit of each set of effects, the best first: of what is left, the smaller one (Schwarz's criterion)."""
+    once = {fit.name: fit for fit in sorted(fits, key=lambda fit: -fit.cost)}
+    return sorted(once.values(), key=lambda fit: _total(fit) + fit.free * float(np.log(fit.held_out.size)))

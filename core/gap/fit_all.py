@@ -25,6 +25,11 @@ class Task(NamedTuple):
     thetas: list[Array]
     first: int | None = None
 
+    @property
+    def name(self) -> str:
+        """Of what is fitted, as `EffectFit.name`."""
+        return "+".join(effect.id for effect in self.effects)
+
 
 FitAll: TypeAlias = Callable[[Windows, list[Task]], list[EffectFit]]
 """Fits each task on its own; the results are in the order of the tasks."""
@@ -45,7 +50,7 @@ def one_by_one(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
 
 def pair_of(a: EffectFit, b: EffectFit) -> Task:
     """Two effects at once, each from where it ended alone."""
-    first, second = sorted((a, b), key=lambda fit: STAGES.index(fit.effects[0].stage))
+    first, second = sorted((a, b), key=lambda fit: (STAGES.index(fit.effects[0].stage), fit.name))
     start = min(a, b, key=lambda fit: fit.cost)
     return Task((*first.effects, *second.effects), start, [np.concatenate((first.theta, second.theta))])
 

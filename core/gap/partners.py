@@ -1,4 +1,4 @@
-"""Which second effect would explain most of what a first one leaves over: a linear look at every effect before pairs are fitted."""
+"""Which further effect would explain most of what others leave over: a linear look at every effect before both are fitted."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from core.array import Array
 from core.effects.effect import STAGES, Effect
 from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import Task
-from core.gap.problem import Problem
-from core.gap.quadratic import solve_scaled
+from core.gap.problem import Problem, parameters_of
+from core.gap.quadratic import find_bounded_minimum
 from core.gap.windows import Windows
 
 STARTS = 2
@@ -20,7 +20,7 @@ STARTS = 2
 
 
 class Partner(NamedTuple):
-    """A second effect: how much it would explain, and with which values."""
+    """A further effect: how much it would explain, and with which values."""
 
     gain: float
     effect: Effect
@@ -28,19 +28,19 @@ class Partner(NamedTuple):
 
 
 def partners(windows: Windows, first: EffectFit, effects: Sequence[Effect], count: int) -> list[Task]:
-    """The most promising pairs with a fitted effect, each with the values to start from.
+    """The most promising additions to a fit, each with the values to start from.
 
     Args:
-        first: the fit of a single effect.
-        effects: candidates for the second one; the first itself is passed over.
-        count: how many pairs.
+        first: the fit of one effect or more.
+        effects: candidates for a further one; those of the fit are passed over.
+        count: how many additions.
     """
-    problem = Problem(windows, first.effects)
-    columns = np.column_stack((problem.X, problem.linearise(first.theta, first.phi)[1]))
+    known = Problem(windows, first.effects)
+    columns = np.column_stack((known.X, known.linearise(first.theta, first.phi)[1]))
     scene = windows.basis.scene.with_phi(first.phi)
     residual = windows.on_grid(first.residual)
     found = [
-        _join(windows, first, columns, problem.precision, effect, theta)
+        _join(known, first, columns, Problem(windows, (effect,)), theta)
         for effect in effects
         if effect.id not in {each.id for each in first.effects}
         for theta in effect.starts(scene, residual)[:STARTS]
@@ -48,28 +48,43 @@ def partners(windows: Windows, first: EffectFit, effects: Sequence[Effect], coun
     best: dict[str, Partner] = {}
     for partner in sorted(found, key=lambda partner: -partner.gain):
         best.setdefault(partner.effect.id, partner)
-    return [_pair(first, partner) for partner in list(best.values())[:count]]
+    return [_add(windows, first, partner) for partner in list(best.values())[:count]]
 
 
-def _join(windows: Windows, first: EffectFit, columns: Array, precision: Array, effect: Effect, theta: Array) -> Partner:
-    """Fall of chi-square when the effect joins, linearised at theta, less what its parameters may bend."""
-    problem = Problem(windows, (effect,))
-    theta = np.clip(theta, problem.lower, problem.upper)
-    rows, J = problem.linearise(theta, first.phi)
-    count = columns.shape[1]
+def leave_out_each(windows: Windows, fit: EffectFit) -> list[Task]:
+    """The effects of a fit without one of them, for each."""
+    terms = _terms_of(windows, fit)
+    return [_task_of(fit, [*terms[:k], *terms[k + 1 :]]) for k in range(len(terms))]
+
+
+def _join(known: Problem, first: EffectFit, columns: Array, joining: Problem, theta: Array) -> Partner:
+    """Fall of chi-square when an effect joins, linearised at theta, less what its parameters may bend. All stays within its bounds: freed
+    of them, small imperfections could stand for most effects."""
+    theta = np.clip(theta, joining.lower, joining.upper)
+    rows, J = joining.linearise(theta, first.phi)
     columns = np.column_stack((columns, J))
-    precision = np.concatenate((precision, problem.precision[-len(theta) :]))
+    precision = np.concatenate((known.precision, joining.precision[-len(theta) :]))
+    here = np.concatenate((first.beta, first.theta, theta))
+    mean = np.concatenate((np.zeros(len(first.beta)), known.absent, joining.absent))
+    bounds = np.column_stack((known.bounds, (joining.lower, joining.upper))) - here
     before = first.residual.ravel()
     r = before - rows
-    pull = np.zeros(len(precision))
-    pull[count:] = precision[count:] * (problem.absent - theta)
-    step = solve_scaled(columns.T @ columns + np.diag(precision), columns.T @ r + pull)
+    step = find_bounded_minimum(columns.T @ columns + np.diag(precision), columns.T @ r + precision * (mean - here), bounds)
     after = r - columns @ step
     gain = float(before @ before - after @ after) - len(theta) * float(np.log(len(r)))
-    return Partner(gain, effect, np.clip(theta + step[count:], problem.lower, problem.upper))
+    return Partner(gain, joining.effects[0], theta + step[-len(theta) :])
 
 
-def _pair(first: EffectFit, partner: Partner) -> Task:
-    terms = [(first.effects[0], first.theta), (partner.effect, partner.theta)]
-    terms.sort(key=lambda term: STAGES.index(term[0].stage))
-    return Task(tuple(effect for effect, _ in terms), first, [np.concatenate([theta for _, theta in terms])])
+def _add(windows: Windows, first: EffectFit, partner: Partner) -> Task:
+    terms = [*_terms_of(windows, first), (partner.effect, partner.theta)]
+    return _task_of(first, sorted(terms, key=lambda term: (STAGES.index(term[0].stage), term[0].id)))
+
+
+def _terms_of(windows: Windows, fit: EffectFit) -> list[tuple[Effect, Array]]:
+    """Each effect with its parameters."""
+    ends = np.cumsum([len(parameters_of(windows, effect)) for effect in fit.effects])
+    return list(zip(fit.effects, np.split(fit.theta, ends[:-1]), strict=True))
+
+
+def _task_of(start: EffectFit, terms: list[tuple[Effect, Array]]) -> Task:
+    return Task(tuple(effect for effect, _ in terms), start, [np.concatenate([theta for _, theta in terms])])

@@ -37,7 +37,8 @@ class Prediction:
         poses = poses_of(motion)
         if poses is None or motion.wrench is None:
             raise ValueError("a motion ahead needs poses and a wrench of zeros")
-        basis = build_unchecked_basis(motion, replace(poses, noise=present.basis.poses.noise), motion.wrench)
+        seen = present.basis.poses
+        basis = build_unchecked_basis(motion, replace(poses, noise=seen.noise, jitter_s=seen.jitter_s), motion.wrench)
         ahead = replace(basis, noise=present.basis.noise, wrench=basis.V @ fit.phi)
         self._present = present
         self._windows = Windows(ahead)

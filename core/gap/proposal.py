@@ -70,7 +70,7 @@ def proposals(recording: Recording, windows: Windows, ties: Sequence[Tie]) -> tu
     be what the first has already.
     """
     open_ones = [tie for tie in ties if tie.distance_sigma < CLEAR_SIGMA]
-    if not open_ones:
+    if not open_ones or windows.basis.scene.position is None:  # nobody knows how the sensor would be accelerated
         return ()
     tried = [
         predict_by_kinematics(recording, windows, motion, open_ones)

@@ -39,7 +39,7 @@ class Tie:
 
 
 def find_ties(windows: Windows, explained: Sequence[EffectFit], unit: float) -> tuple[Tie, ...]:
-    """Rivals of the most probable single effect, the nearest first.
+    """Rivals of the most probable explanation, of as many effects, the nearest first.
 
     Args:
         explained: most probable first.
@@ -48,12 +48,12 @@ def find_ties(windows: Windows, explained: Sequence[EffectFit], unit: float) -> 
     A rival at distance d is worse on the recording by d^2 in the mean, with a standard deviation of 2 d; those that are worse by more
     than that allows for a tie are not fitted anew.
     """
-    singles = [fit for fit in explained if len(fit.effects) == 1]
-    if not singles:
+    if not explained:
         return ()
-    first = singles[0]
+    first = explained[0]
     most = float((first.residual**2).sum()) + ((INSEPARABLE_SIGMA + SWAY_SIGMA) * unit) ** 2
-    rivals = [fit for fit in singles[1:] if fit.free <= first.free + BENDS and float((fit.residual**2).sum()) <= most]
+    alike = [fit for fit in explained[1:] if len(fit.effects) == len(first.effects) and fit.free <= first.free + BENDS]
+    rivals = [fit for fit in alike if float((fit.residual**2).sum()) <= most]
     ties = [Tie(first, fit, distance_sigma(windows, first, fit) / unit) for fit in rivals]
     return tuple(sorted((tie for tie in ties if tie.distance_sigma < INSEPARABLE_SIGMA), key=lambda tie: tie.distance_sigma))
 

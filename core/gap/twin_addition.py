@@ -16,7 +16,7 @@ from core.gap.answer import Diagnosis, Explanation, Origin, Pair
 from core.gap.answering import explain, explain_both
 from core.gap.closure import gap_of
 from core.gap.diagnosis import examine, find_origin
-from core.gap.evidence import Evidence
+from core.gap.evidence import MOST_TOGETHER, Evidence
 from core.recording.folder import read_recording
 from core.recording.stated_friction import with_cell_friction
 from core.twin.file import check_twin, close_name
@@ -79,7 +79,7 @@ def _judge(found: Found, gap_before: float, origin: Origin, cell: Cell) -> Found
 
 
 def find_effects(identifier: str) -> tuple[Effect, ...]:
-    """One effect of the library, or two.
+    """One effect of the library, or two or three.
 
     Raises:
         BadTwin: there is no such effect, or it does not act on the wrench.
@@ -92,7 +92,7 @@ def find_effects(identifier: str) -> tuple[Effect, ...]:
             raise BadTwin(ASKED, "gap-not-on-wrench", name=name, title=read_off[name].title)
         if name not in known:
             raise BadTwin(ASKED, "gap-no-such-effect", name=name[:MOST_LETTERS], wanted=close_name(name, sorted(known)))
-    if len(names) > 2:
+    if len(names) > MOST_TOGETHER:
         raise BadTwin(ASKED, "gap-too-many-effects", count=len(names))
     return tuple(known[name] for name in names)
 

@@ -22,8 +22,10 @@ from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 from core.estimation.banded import bands_of, count_bands, factorise
 from core.estimation.drift import STEP_STD
+from core.estimation.jitter import find_jittered
 from core.estimation.kinematics import Poses
 from core.estimation.noise import WrenchNoise
+from core.estimation.pose_gram import PoseGram
 from core.estimation.segments import Segment, stretches
 from core.estimation.splines import cardinal
 from core.estimation.weak_form import STEP_S, tilt_axes
@@ -65,6 +67,7 @@ class Rows:
         average: (K, N), mean over the scene's grid for each.
         part: (K,), number of the stretch between two pauses that it belongs to.
         every: samples from one fresh reading to the next.
+        at_rest: nothing moves in any of them.
     """
 
     centres: Array
@@ -72,6 +75,7 @@ class Rows:
     average: csr_array
     part: NDArray[np.intp]
     every: float = 1.0
+    at_rest: bool = False
 
 
 @dataclass(frozen=True)
@@ -132,7 +136,8 @@ class Windows:
         gain = np.einsum("kc,cd->kcd", V @ phi, np.eye(6))
         constant, later = np.split(self._offsets(), [6], axis=2)
         zeros = self._average(_find_zero_columns(basis.scene.with_phi(phi)))
-        turning = self._average(_find_turning_columns(basis.scene, phi))
+        places_known = basis.scene.position is not None or basis.rows.at_rest
+        turning = self._average(_find_turning_columns(basis.scene, phi, known=places_known))
         self.X = self.whiten(np.concatenate((V, constant, self._average(self._tilt(phi)), late, gain, zeros, turning, later), axis=2))
         """(6, K, 26 + n + 6 p): columns of the nominal twin with its small imperfections, and what p pauses changed in its offsets."""
         self.target = self.whiten(y[..., None])[..., 0]
@@ -190,12 +195,11 @@ class Windows:
         """Cholesky factors, banded, of the covariance of each channel's windows."""
         W = csr_array(self._to_windows @ self.basis.spread)
         D = csr_array(W @ self.basis.difference)
-        M = spatial_inertia(phi)
-        kinematic = np.diag(M @ self.basis.poses.noise @ M.T)
         of_sensor, of_pose = csr_array(W @ W.T), csr_array(D @ D.T)
         count = max(count_bands(of_sensor), count_bands(of_pose))
-        sensor, pose = bands_of(of_sensor, count), bands_of(of_pose, count)
-        return [factorise(self.basis.noise.variance[c] * sensor + kinematic[c] * pose) for c in range(6)]
+        pose = PoseGram.of(self.basis.poses.noise, D, [csr_array(W @ each) for each in self._jittered], count)
+        sensor, M = bands_of(of_sensor, count), spatial_inertia(phi)
+        return [factorise(self.basis.noise.variance[c] * sensor + pose.find_variance_through(M[c])) for c in range(6)]
 
     def whiten(self, x: Array) -> Array:
         """Rows (6, K, n) with unit noise from windowed wrenches (K, 6, n)."""
@@ -246,15 +250,24 @@ class Windows:
         return names[self.group]
 
     @cached_property
+    def _jittered(self) -> list[csr_array]:
+        """Accelerations (samples, samples) by errors of the instants."""
+        return find_jittered(self.basis.poses, self.basis.difference)
+
+    @cached_property
     def acceleration_noise(self) -> Array:
-        """(M, N, 6), linear and angular acceleration on the grid as the noise of the poses alone would make them, M draws of it; always
-        the same."""
-        basis = self.basis
+        """(M, N, 6), linear and angular acceleration on the grid as the noise of the poses and of their instants alone would make them, M
+        draws of it; always the same."""
+        basis, rng = self.basis, np.random.default_rng(0)
         values, vectors = np.linalg.eigh(basis.poses.noise)
-        white = np.random.default_rng(0).standard_normal((NOISE_DRAWS, len(basis.poses.t), 6))
+        white = rng.standard_normal((NOISE_DRAWS, len(basis.poses.t), 6))
         seen = basis.spread @ (basis.difference @ white.transpose(1, 0, 2).reshape(len(basis.poses.t), -1))
         root = vectors * np.sqrt(np.maximum(values, 0.0))
-        return np.ascontiguousarray(seen.reshape(-1, NOISE_DRAWS, 6).transpose(1, 0, 2) @ root.T)
+        drawn = np.ascontiguousarray(seen.reshape(-1, NOISE_DRAWS, 6).transpose(1, 0, 2) @ root.T)
+        if self._jittered:
+            early = rng.standard_normal((len(basis.poses.t), NOISE_DRAWS))
+            drawn += np.stack([(basis.spread @ (each @ early)).T for each in self._jittered], axis=2)
+        return drawn
 
     @cached_property
     def windowed_acceleration_noise(self) -> tuple[Array, Array, Array]:
@@ -281,10 +294,10 @@ def _find_zero_columns(scene: Scene) -> Array:
     return np.stack(moved, axis=2) / ZERO_STEP_RAD
 
 
-def _find_turning_columns(scene: Scene, phi: Array) -> Array:
+def _find_turning_columns(scene: Scene, phi: Array, *, known: bool) -> Array:
     """(N, 6, 3), change of the wrench per metre from a place at rest to a sensor whose position is not known, sensor axes: turning about
-    it, the sensor's origin is accelerated by `alpha x r + omega x (omega x r)`; none where the position is known, or nothing moves."""
-    if scene.position is not None or scene.apart:
+    it, the sensor's origin is accelerated by `alpha x r + omega x (omega x r)`; none where that is known, or nothing moves."""
+    if known or scene.apart:
         return np.zeros((len(scene), 6, 0))
     m, still = scene.motion, np.zeros_like(scene.motion.g)
     by_axis = (cross(m.alpha, axis) + cross(m.omega, cross(m.omega, axis)) for axis in np.eye(3))

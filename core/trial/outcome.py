@@ -52,7 +52,7 @@ class TrialOutcome(TrialPart):
         stopped: why there is no answer: what the guard says, or an error.
         verdict: of the diagnosis; "stopped" where there is none.
         effects: most probable first; none where the verdict is `no_gap`.
-        pairs: two effects at once with their probability.
+        pairs: two effects at once, or three, with their probability.
         minor: identifiers that were detected in the wrench and called immaterial.
         also: what was seen elsewhere than in the wrench and called material, with its parameters.
         ties: pairs of identifiers with their distance in sigma.
@@ -67,7 +67,7 @@ class TrialOutcome(TrialPart):
     stopped: Message | None
     verdict: str
     effects: tuple[Named, ...] = ()
-    pairs: tuple[tuple[tuple[str, str], float], ...] = ()
+    pairs: tuple[tuple[tuple[str, ...], float], ...] = ()
     none_probability: float = 0.0
     unknown_probability: float = 0.0
     minor: tuple[str, ...] = ()

@@ -67,7 +67,8 @@ class DiagnosisPublic(JobPublic):
     )
     verdict: Verdict | None = Field(description="The answer in one word; null until it is done.")
     named: str | None = Field(
-        description="The effect that is most probable, or two joined by a plus sign; null where it names none.", examples=["time_delay"]
+        description="The effect that is most probable, or two or three joined by plus signs; null where it names none.",
+        examples=["time_delay"],
     )
     also: list[str] = Field(description="What is material beside the verdict, elsewhere than in the wrench.", examples=[["joint_backlash"]])
     instruction: Instruction | None = Field(description="What the person at the robot has to do; null until it is done.")

@@ -25,11 +25,11 @@ router = APIRouter(prefix="/api/cells/{cell}/twin", tags=["cells"])
 
 
 class TwinEffectCreate(RequestBody):
-    """An effect that a diagnosis names, or two joined by a plus sign."""
+    """An effect that a diagnosis names, or two or three joined by plus signs."""
 
     diagnosis: str = Field(description="Identifier of the diagnosis that found it.", examples=["019ab1c2e0a17d34a06c11"])
     effect: Annotated[str, Field(pattern=r"^[a-z_]{1,64}(\+[a-z_]{1,64})?$")] = Field(
-        description="An effect that the diagnosis names, or two joined by a plus sign.", examples=["time_delay"]
+        description="An effect that the diagnosis names, or two or three joined by plus signs.", examples=["time_delay"]
     )
 
 

@@ -3927,7 +3927,7 @@ export interface components {
             unknown_probability: number;
             /**
              * Pairs
-             * @description Two effects at once, the most probable first.
+             * @description Two effects at once, or three, the most probable first.
              */
             pairs: components["schemas"]["Pair"][];
             /**
@@ -4070,7 +4070,7 @@ export interface components {
             verdict: ("no_gap" | "explained" | "ambiguous" | "unknown" | "not_enough") | null;
             /**
              * Named
-             * @description The effect that is most probable, or two joined by a plus sign; null where it names none.
+             * @description The effect that is most probable, or two or three joined by plus signs; null where it names none.
              * @example time_delay
              */
             named: string | null;
@@ -7049,21 +7049,18 @@ export interface components {
         };
         /**
          * Pair
-         * @description Two effects at once; `addable` and `why_not` as of one, `covariance` of the parameters of each.
+         * @description Two effects at once, or three; `addable` and `why_not` as of one, `covariance` of the parameters of each.
          */
         Pair: {
             /**
              * Ids
-             * @description Names of the two effects.
+             * @description Names of the effects.
              * @example [
              *       "time_delay",
              *       "base_tilt"
              *     ]
              */
-            ids: [
-                string,
-                string
-            ];
+            ids: string[];
             /**
              * Probability
              * @description Probability of this explanation, 0 to 1.
@@ -7072,13 +7069,13 @@ export interface components {
             probability: number;
             /**
              * Gap After
-             * @description What is left of the gap with both, in multiples of the noise (rms).
+             * @description What is left of the gap with all of them, in multiples of the noise (rms).
              * @example 1.05
              */
             gap_after: number;
             /**
              * Closure
-             * @description Share of the gap that goes away with both, 0 to 1.
+             * @description Share of the gap that goes away with all of them, 0 to 1.
              * @example 0.98
              */
             closure: number;
@@ -7093,7 +7090,7 @@ export interface components {
             };
             /**
              * Addable
-             * @description Whether the cell's twin would take both.
+             * @description Whether the cell's twin would take all of them.
              * @default false
              */
             addable?: boolean;
@@ -10703,7 +10700,7 @@ export interface components {
         };
         /**
          * TwinEffectCreate
-         * @description An effect that a diagnosis names, or two joined by a plus sign.
+         * @description An effect that a diagnosis names, or two or three joined by plus signs.
          */
         TwinEffectCreate: {
             /**
@@ -10714,7 +10711,7 @@ export interface components {
             diagnosis: string;
             /**
              * Effect
-             * @description An effect that the diagnosis names, or two joined by a plus sign.
+             * @description An effect that the diagnosis names, or two or three joined by plus signs.
              * @example time_delay
              */
             effect: string;

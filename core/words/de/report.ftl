@@ -230,8 +230,8 @@ report-gap-others-and-less = Nicht gezeigt: { $count } weitere Effekte, zusammen
 report-gap-fewer-parameters = Wie viel ein Effekt schließt, entscheidet nicht allein: von Erklärungen, die gleich gut vorhersagen, ist die mit weniger Parametern die wahrscheinlichere.
 report-gap-other-pairs =
     Nicht gezeigt: { $count ->
-        [one] 1 weiteres Paar,
-       *[other] { $count } weitere Paare, zusammen
+        [one] 1 weitere Kombination,
+       *[other] { $count } weitere Kombinationen, zusammen
     } { $share }; das beste ({ $effects }) schließt { PERCENT($closure) } %.
 report-gap-ties = Was diese Aufzeichnung nicht trennen kann
 report-gap-apart = { FIXED($sigma, digits: 1) } σ auseinander

@@ -232,8 +232,8 @@ report-gap-others-and-less = Not shown: { $count } other effects, together { $sh
 report-gap-fewer-parameters = Closure alone does not decide: of explanations that predict alike, the one with fewer parameters is the likelier.
 report-gap-other-pairs =
     Not shown: { $count ->
-        [one] 1 other pair
-       *[other] { $count } other pairs
+        [one] 1 other combination
+       *[other] { $count } other combinations
     }, together { $share }; the closest ({ $effects }) closes { PERCENT($closure) } %.
 report-gap-ties = What this recording cannot tell apart
 report-gap-apart = { FIXED($sigma, digits: 1) } σ apart

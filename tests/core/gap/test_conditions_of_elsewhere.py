@@ -1,0 +1,59 @@
+"""Sound recordings of another generator's robots, as the bench of the intervals has them: no gap; and one with three faults at once."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from threadpoolctl import threadpool_limits
+
+from core.effects.effect import View
+from core.effects.library import library
+from core.effects.sensor_noise import SensorNoise
+from core.gap.basis import basis_of
+from core.gap.closure import gap_of
+from core.gap.effect_fit import fit_nominal
+from core.gap.evidence import gather
+from core.gap.fit_all import one_by_one
+from core.gap.windows import Windows
+from core.recording.recording import Recording
+from tests.foreign_recordings import Condition, make
+
+DEGREE = np.pi / 180.0
+
+
+def find_gap(recording: Recording) -> float:
+    windows = Windows(basis_of(recording))
+    return gap_of(windows, fit_nominal(windows))
+
+
+@pytest.mark.parametrize("condition", [Condition(rate_hz=250.0), Condition(rate_hz=250.0, jitter_s=1e-3), Condition(poses=True)])
+def test_noise_wrong_instants_and_positions_that_nobody_logged_are_no_gap(condition: Condition) -> None:
+    assert find_gap(make(condition, 2).recording) < 1.05
+
+
+def test_of_attitudes_alone_rest_is_compared_and_effects_of_motion_are_said_to_be_out_of_sight() -> None:
+    windows = Windows(basis_of(make(Condition(poses=True), 2).recording))
+    assert windows.basis.rows.at_rest
+    evidence = gather(windows, [effect for effect in library() if effect.id in ("sensor_hysteresis", "sensor_gain")], one_by_one)
+    assert [limit.parameters["effect"] for limit in evidence.limits] == ["sensor_hysteresis"]
+    assert not evidence.material
+
+
+def test_an_arm_that_speeds_up_at_the_end_of_a_hold_is_no_noise_of_the_sensor() -> None:
+    recording = make(Condition(rate_hz=1000.0), 0).recording
+    windows = Windows(basis_of(recording))
+    nominal, none = fit_nominal(windows), np.zeros((0, 6))
+    holds = tuple(part.rows for part in windows.basis.segments if part.is_hold)
+    assert SensorNoise().observe(recording, View(holds, windows.basis.noise.std, nominal.phi, nominal.phi_std, none, none, none)) is None
+
+
+def test_a_tilt_a_delay_and_a_drift_at_once_are_named_though_others_bend_further_alone() -> None:
+    condition = Condition(tilt_rad=0.5 * DEGREE, delay_s=4e-3, drift_n=0.3)
+    names = ("base_tilt", "time_delay", "sensor_drift", "joint_offset", "sensor_offset_step", "cable_drag")
+    windows = Windows(basis_of(make(condition, 3).recording))
+    with threadpool_limits(1):
+        evidence = gather(windows, [effect for effect in library() if effect.id in names], one_by_one)
+    assert evidence.verdict == "explained"
+    assert {effect.id for effect in evidence.best.effects} == {"base_tilt", "time_delay", "sensor_drift"}
+    assert gap_of(windows, evidence.best) < 1.05
+    assert gap_of(windows, evidence.nominal) > 2.0
