@@ -22,11 +22,12 @@ STEP = expand_to_channels(0.1, 0.005)
 """Plausible change from one knot to the next where they are a second apart, N and N m."""
 LAG_S = 0.4
 """Over which changes within a hold are looked at, and twice that."""
-STANDS_OUT = 1.8
-"""Median square of these changes, in variances of the noise, from which a channel wanders within holds; noise alone makes it 0.9."""
+STANDS_OUT = 1.2
+"""Median square of these changes, in variances of the noise, from which a channel, and the mean of all, wanders within holds; noise alone
+makes it 0.6 to 0.9."""
 GOES_ON = 0.3
 """Times the changes between other rows: what wanders does so whether anything moves or not."""
-GROWS = 1.3
+GROWS = 1.2
 """Times the square after twice the time: 2 for a walk, 1 for what shakes."""
 ONE_COURSE = 0.6
 """Share of the changes' square in one course of all channels from which something pulls, and no channel wanders by itself."""
@@ -86,9 +87,11 @@ def wanders_in_holds(scene: Scene, residual: Array) -> bool:
     changes = residual[lag:] - residual[:-lag]
     near, twice = changes[inside], (residual[2 * lag :] - residual[: -2 * lag])[far]
     here, there = np.median(near**2, axis=0), np.median(changes[~inside] ** 2, axis=0)
-    wandering = (here > STANDS_OUT) & (here > GOES_ON * there) & ((twice**2).mean(axis=0) > GROWS * (near**2).mean(axis=0))
+    wandering = (here > STANDS_OUT) & (here > GOES_ON * there)
+    goes_on = here.mean() > max(STANDS_OUT, GOES_ON * there.mean())
+    grows = np.square(twice).mean(axis=0).sum() > GROWS * np.square(near).mean(axis=0).sum()  # all together: a few holds tell little of one
     power = np.linalg.svd(near / np.sqrt((near**2).mean(axis=0)), compute_uv=False) ** 2
-    return bool(wandering.sum() >= FEWEST and power[0] < ONE_COURSE * power.sum())
+    return bool(wandering.sum() >= FEWEST and goes_on and grows and power[0] < ONE_COURSE * power.sum())
 
 
 def _find_inside(holds: NDArray[np.bool_], lag: int) -> NDArray[np.bool_]:

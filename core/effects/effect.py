@@ -41,7 +41,7 @@ class Parameter:
         absent: the value at which the effect is not there.
         lower, upper: bounds of the fit.
         scale: plausible size; the standard deviation of the prior around `absent`.
-        shown: whether it says anything to people; what merely follows the course of a run does not.
+        shown: whether it says anything to people; what merely follows the course of a run does not, and the wrench is linear in it.
     """
 
     name: str

@@ -36,11 +36,12 @@ def partners(windows: Windows, first: EffectFit, effects: Sequence[Effect], coun
         count: how many additions.
     """
     known = Problem(windows, first.effects)
-    columns = np.column_stack((known.X, known.linearise(first.theta, first.phi)[1]))
+    J = known.linearise(first.theta, first.phi)[1]
+    columns, normal = np.column_stack((known.X, J)), known.normal(J)
     scene = windows.basis.scene.with_phi(first.phi)
     residual = windows.on_grid(first.residual)
     found = [
-        _join(known, first, columns, Problem(windows, (effect,)), theta)
+        _join(known, first, columns, normal, Problem(windows, (effect,)), theta)
         for effect in effects
         if effect.id not in {each.id for each in first.effects}
         for theta in effect.starts(scene, residual)[:STARTS]
@@ -57,20 +58,22 @@ def leave_out_each(windows: Windows, fit: EffectFit) -> list[Task]:
     return [_task_of(fit, [*terms[:k], *terms[k + 1 :]]) for k in range(len(terms))]
 
 
-def _join(known: Problem, first: EffectFit, columns: Array, joining: Problem, theta: Array) -> Partner:
+def _join(known: Problem, first: EffectFit, columns: Array, normal: Array, joining: Problem, theta: Array) -> Partner:
     """Fall of chi-square when an effect joins, linearised at theta, less what its parameters may bend. All stays within its bounds: freed
     of them, small imperfections could stand for most effects."""
     theta = np.clip(theta, joining.lower, joining.upper)
     rows, J = joining.linearise(theta, first.phi)
-    columns = np.column_stack((columns, J))
-    precision = np.concatenate((known.precision, joining.precision[-len(theta) :]))
+    of_effect = joining.precision[-len(theta) :]
+    precision = np.concatenate((known.precision, of_effect))
     here = np.concatenate((first.beta, first.theta, theta))
     mean = np.concatenate((np.zeros(len(first.beta)), known.absent, joining.absent))
     bounds = np.column_stack((known.bounds, (joining.lower, joining.upper))) - here
     before = first.residual.ravel()
     r = before - rows
-    step = find_bounded_minimum(columns.T @ columns + np.diag(precision), columns.T @ r + precision * (mean - here), bounds)
-    after = r - columns @ step
+    across = columns.T @ J
+    whole = np.block([[normal, across], [across.T, J.T @ J + np.diag(of_effect)]])
+    step = find_bounded_minimum(whole, np.concatenate((columns.T @ r, J.T @ r)) + precision * (mean - here), bounds)
+    after = r - columns @ step[: -len(theta)] - J @ step[-len(theta) :]
     gain = float(before @ before - after @ after) - len(theta) * float(np.log(len(r)))
     return Partner(gain, joining.effects[0], theta + step[-len(theta) :])
 

@@ -67,6 +67,8 @@ class Problem:
         self.upper = np.array([p.upper for p in self.parameters])
         self.X, self.XX = windows.flat, windows.normal
         self._last: _Look | None = None
+        self._always: dict[int, Array] = {}
+        """Derivatives by what follows the course of a run, which is linear in it: the same everywhere."""
         self.target = windows.target.ravel()
         width = np.full(len(self.parameters), PRIOR_WIDTH)
         width[len(width) if first is None else first :] = ABSENT_WIDTH
@@ -109,11 +111,17 @@ class Problem:
         """Rows of the change (6K,), and their derivatives by theta (6K, n)."""
         here = self._look(theta, phi)
         steps = np.where(theta + STEP * self.scale <= self.upper, 1.0, -1.0) * STEP * self.scale
-        moved = (self.change(theta + step, here.scene, dict(here.known)) for step in np.diag(steps))
         J = np.empty((len(steps), len(here.rows)))
-        for slope, change, step in zip(J, moved, steps, strict=True):
-            np.subtract(self.windows.row_of(change), here.rows, out=slope)
-            np.divide(slope, step, out=slope)
+        for k, step in enumerate(steps):
+            if k in self._always:
+                J[k] = self._always[k]
+                continue
+            moved = theta.copy()
+            moved[k] += step
+            np.subtract(self.windows.row_of(self.change(moved, here.scene, dict(here.known))), here.rows, out=J[k])
+            np.divide(J[k], step, out=J[k])
+            if self.only_adds and not self.parameters[k].shown:
+                self._always[k] = J[k].copy()
         return here.rows, J.T
 
     def _look(self, theta: Array, phi: Array) -> _Look:

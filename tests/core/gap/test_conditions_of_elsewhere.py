@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from threadpoolctl import threadpool_limits
 
+from core.effects.drift_that_wanders import wanders_in_holds
 from core.effects.effect import View
 from core.effects.library import library
 from core.effects.sensor_noise import SensorNoise
@@ -37,6 +38,15 @@ def test_of_attitudes_alone_rest_is_compared_and_effects_of_motion_are_said_to_b
     evidence = gather(windows, [effect for effect in library() if effect.id in ("sensor_hysteresis", "sensor_gain")], one_by_one)
     assert [limit.parameters["effect"] for limit in evidence.limits] == ["sensor_hysteresis"]
     assert not evidence.material
+
+
+@pytest.mark.parametrize(("condition", "wanders"), [(Condition(walk_n=0.04), True), (Condition(tilt_rad=0.5 * DEGREE, drift_n=0.3), False)])
+def test_a_walk_is_known_by_five_short_holds(condition: Condition, wanders: bool) -> None:  # noqa: FBT001  a table of cases
+    for seed in (1, 2, 3):
+        windows = Windows(basis_of(make(condition, seed).recording))
+        nominal = fit_nominal(windows)
+        scene = windows.basis.scene.with_phi(nominal.phi)
+        assert wanders_in_holds(scene, windows.on_grid(nominal.residual)) == wanders
 
 
 def test_an_arm_that_speeds_up_at_the_end_of_a_hold_is_no_noise_of_the_sensor() -> None:
