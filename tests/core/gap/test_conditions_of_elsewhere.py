@@ -41,7 +41,7 @@ def test_of_attitudes_alone_rest_is_compared_and_effects_of_motion_are_said_to_b
 
 
 @pytest.mark.parametrize(("condition", "wanders"), [(Condition(walk_n=0.04), True), (Condition(tilt_rad=0.5 * DEGREE, drift_n=0.3), False)])
-def test_a_walk_is_known_by_five_short_holds(condition: Condition, wanders: bool) -> None:  # noqa: FBT001  a table of cases
+def test_a_walk_is_known_by_five_short_holds(condition: Condition, wanders: bool) -> None:
     for seed in (1, 2, 3):
         windows = Windows(basis_of(make(condition, seed).recording))
         nominal = fit_nominal(windows)
