@@ -1,7 +1,7 @@
 """The procedure through each driver, against a server of its protocol at the protocol's own rate: commands missed, latency, faults.
 
-`python -m bench.drivers [ur xarm kuka] [--minutes 10] [--faults 20] [--patience 20]`; with a patience the server's clock waits for each
-command, so that a computer that is busy with other things shows what driver and procedure do, not what it does itself.
+`python -m bench.drivers [ur xarm kuka franka] [--minutes 10] [--faults 20] [--patience 20]`; with a patience the server's clock waits for
+each command, so that a computer that is busy with other things shows what driver and procedure do, not what it does itself.
 """
 
 from __future__ import annotations
@@ -23,10 +23,12 @@ import numpy as np
 
 from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
-from core.cell.session import KukaRobot, RealRobot, UniversalRobot, XarmRobot
+from core.cell.session import FrankaRobot, KukaRobot, RealRobot, UniversalRobot, XarmRobot
 from core.errors import HeftError
 from core.events import Event, drive
 from core.fakes import ur_arm, xarm_arm
+from core.fakes.franka_arm import JOINT_REFLEX, FrankaArm
+from core.fakes.franka_server import FrankaServer
 from core.fakes.fri_arm import FriArm
 from core.fakes.fri_server import FriServer
 from core.fakes.ur_arm import UrArm
@@ -43,12 +45,13 @@ from core.sessions.session import RobotSession
 
 CELL = load_cell(find_cell("ur5e_line"))
 LBR_CELL = load_cell(find_cell("lwr4_bench"))
+FRANKA_CELL = LBR_CELL.model_copy(update={"robot": LBR_CELL.robot.model_copy(update={"acceleration_rad_s2": (10.0,) * 7})})
 CARRIED_NAME = "steel_block"
 CARRIED = CELL.payloads[CARRIED_NAME]
 NOT_SIMULATED = Simulation(None)
 XARM_PORT = 5020
 FRI_CLIENT = "127.76.0.1"
-Server = UrServer | XarmServer | FriServer
+Server = UrServer | XarmServer | FriServer | FrankaServer
 
 
 class Robot(NamedTuple):
@@ -86,10 +89,14 @@ def serve_kuka(seed: int, host: str, patience_s: float | None) -> Server:
     return FriServer(FriArm(LBR_CELL, CARRIED.parameters, seed=seed), host, client=FRI_CLIENT, patience_s=patience_s)
 
 
+def serve_franka(seed: int, host: str, patience_s: float | None) -> Server:
+    return FrankaServer(FrankaArm(FRANKA_CELL, CARRIED.parameters, seed=seed), host, patience_s=patience_s)
+
+
 class ArmClock:
     """The stand-in's own time, a moment later, as far as nobody has waited for longer: the server's clock may go by answers."""
 
-    def __init__(self, arm: FriArm) -> None:
+    def __init__(self, arm: FriArm | FrankaArm) -> None:
         self._arm, self._waited = arm, 0.0
 
     def __call__(self) -> float:
@@ -104,7 +111,7 @@ class ArmSensor(ForceSensor):
 
     name = "sensor"
 
-    def __init__(self, arm: FriArm, clock: ArmClock) -> None:
+    def __init__(self, arm: FriArm | FrankaArm, clock: ArmClock) -> None:
         self._arm, self._clock, self._told = arm, clock, -1.0
         self.tally = Tally()
 
@@ -128,14 +135,13 @@ class ArmSensor(ForceSensor):
 def open_session(cell: Cell, server: Server) -> RobotSession:
     """Of the driver, with the sensor on the flange where the robot has none of its own."""
     session = DRIVERS[cell.session.driver](cell)
-    if not isinstance(server, FriServer):
+    if not isinstance(server, FriServer | FrankaServer):
         return session
     clock = ArmClock(server.arm)
     return ExternalSensorSession(session, ArmSensor(server.arm, clock), clock=clock)
 
 
-def run_procedure(cell: Cell) -> Generator[Event, None, Outcome]:
-    session = open_robot_session(cell, NOT_SIMULATED)
+def run_procedure(cell: Cell, session: RobotSession) -> Generator[Event, None, Outcome]:
     start = session.find_start()
     return identify(cell, session, CARRIED.box, payload=CARRIED_NAME, reference=CARRIED, start=start, clock_waits=False)
 
@@ -145,7 +151,15 @@ def ignore(_: Event) -> None:
 
 
 @contextmanager
-def serve_apart(robot: Robot, patience_s: float | None) -> Iterator[None]:
+def serve_here(robot: Robot, patience_s: float) -> Iterator[Callable[[Cell], RobotSession]]:
+    """The stand-in in this program, for a sensor that goes by its clock; with what it counted at the end."""
+    with robot.serve(1, robot.host, patience_s) as server:
+        yield lambda cell: open_session(cell, server)
+        print(f"  {server.arm.periods_followed} periods under command, {server.arm.missed} of them without a new command", flush=True)
+
+
+@contextmanager
+def serve_apart(robot: Robot, patience_s: float | None) -> Iterator[Callable[[Cell], RobotSession]]:
     """The stand-in as a program of its own, as a controller is another computer; ended with what it counted as its last line."""
     patience = [] if patience_s is None else ["--patience", str(patience_s)]
     options = ["--host", robot.host, "--payload", CARRIED_NAME, "--seed", "1", *patience]
@@ -157,7 +171,7 @@ def serve_apart(robot: Robot, patience_s: float | None) -> Iterator[None]:
             said = served.stdout.readline()
             if robot.host not in said:
                 raise RuntimeError(said + served.stdout.read())
-            yield
+            yield lambda cell: open_robot_session(cell, NOT_SIMULATED)
         finally:
             served.send_signal(signal.SIGINT)
             print("  " + served.communicate()[0].strip(), flush=True)
@@ -166,11 +180,14 @@ def serve_apart(robot: Robot, patience_s: float | None) -> Iterator[None]:
 def measure_procedure(robot: Robot, minutes: float, patience_s: float | None) -> None:
     """Procedures one after the other until the time is over."""
     cell = robot.cell_at(robot.host)
-    with serve_apart(robot, patience_s):
+    assert isinstance(cell.session, RealRobot)
+    # a box on a line of its own goes by the wall clock, which a clock that waits leaves behind
+    here = patience_s is not None and cell.session.sensor is not None
+    with serve_here(robot, patience_s or 0.0) if here else serve_apart(robot, patience_s) as open_it:
         began, runs = time.monotonic(), 0
         while not runs or time.monotonic() < began + 60.0 * minutes:
             try:
-                outcome = drive(run_procedure(cell), ignore)
+                outcome = drive(run_procedure(cell, open_it(cell)), ignore)
             except HeftError as error:
                 print(f"  ended: {type(error).__name__}: {error}")
                 break
@@ -227,7 +244,7 @@ def end_application(server: FriServer, random: Random) -> None:
     order_later(server, random, server.arm.end_motion)
 
 
-def make_deaf(server: FriServer, random: Random) -> None:
+def make_deaf(server: FriServer | FrankaServer, random: Random) -> None:
     order_later(server, random, lambda: setattr(server, "deaf", True))
 
 
@@ -237,6 +254,18 @@ def make_ur_old(server: UrServer, _: Random) -> None:
 
 def make_xarm_old(server: XarmServer, _: Random) -> None:
     server.arm.version = "v1.12.8"
+
+
+def make_reflex(server: FrankaServer, random: Random) -> None:
+    order_later(server, random, lambda: server.arm.fail(JOINT_REFLEX))
+
+
+def press_user_stop(server: FrankaServer, random: Random) -> None:
+    order_later(server, random, server.arm.press_user_stop)
+
+
+def make_franka_old(server: FrankaServer, _: Random) -> None:
+    server.arm.version, server.arm.model = 4, "panda"
 
 
 def make_uncalibrated(server: Server, random: Random) -> None:
@@ -286,6 +315,17 @@ ROBOTS = {
         LINE | ANOTHER,
         OUTAGE | {"safety stop": make_kuka_stop, "application ended": end_application, "answers lost": make_deaf},
         LBR_CELL,
+    ),
+    "franka": Robot(
+        "Franka",
+        "127.77.0.4",
+        ("franka", "lwr4_bench"),
+        FrankaRobot,
+        {"driver": "franka_fci", "model": "fr3", "sensor": {"driver": "ati_net_ft", "host": "127.0.0.1", "http_port": 8049}},
+        serve_franka,
+        LINE | {"wrong version": make_franka_old} | ANOTHER,
+        OUTAGE | {"reflex": make_reflex, "user stop": press_user_stop, "commands lost": make_deaf},
+        FRANKA_CELL,
     ),
 }
 

@@ -148,9 +148,17 @@ class KukaRobot(RealRobot):
     )
 
 
-Session = Annotated[SimulatedRobot | UniversalRobot | XarmRobot | KukaRobot, Field(discriminator="driver")]
+class FrankaRobot(NamedRobot):
+    """A Panda or Franka Research 3 over the Franka Control Interface (FCI). Its messages name no serial number; `firmware` is the version
+    of its server."""
 
-ROBOT_DRIVERS = ("simulated", "ur_rtde", "xarm", "kuka_fri")
+    driver: Literal["franka_fci"] = Field(description="Which driver.", examples=["franka_fci"])
+    port: Port = Field(default=1337, description="TCP port of the interface.", examples=[1337])
+
+
+Session = Annotated[SimulatedRobot | UniversalRobot | XarmRobot | KukaRobot | FrankaRobot, Field(discriminator="driver")]
+
+ROBOT_DRIVERS = ("simulated", "ur_rtde", "xarm", "kuka_fri", "franka_fci")
 SENSOR_DRIVERS = ("ati_net_ft", "bota_serial", "robotiq_ft300")
 DRIVER_NAMES = frozenset({*ROBOT_DRIVERS, *SENSOR_DRIVERS})
 """Of robots and of sensors."""

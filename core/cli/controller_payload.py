@@ -14,20 +14,22 @@ from rich.table import Table
 
 from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
-from core.cell.session import RealRobot, UniversalRobot, XarmRobot
+from core.cell.session import FrankaRobot, RealRobot, UniversalRobot, XarmRobot
 from core.cli.exports import lack_sentences
 from core.cli.tables import INTERVAL, number
 from core.cli.terminal import answers, find_wording, messages
 from core.errors import BadInput, BadPayload, Refused
 from core.estimation.result import Result
 from core.export.exports import payload_of, require_mount
+from core.export.franka import Franka
+from core.export.franka import set_payload_of as for_franka
 from core.export.target import ExportTarget
 from core.export.universal_robots import ORDER, UniversalRobots
 from core.export.universal_robots import set_payload_of as for_universal_robots
 from core.export.xarm import XArm
 from core.export.xarm import set_payload_of as for_xarm
 from core.payload.uncertain_parameters import UncertainParameters
-from core.sessions import ur_payload, xarm_payload
+from core.sessions import franka_payload, ur_payload, xarm_payload
 from core.sessions.set_payload import SET_NAMES, SET_UNITS, SetPayload
 from core.words.message import Message, Parameter
 
@@ -69,6 +71,15 @@ WAYS = {
             "cli-export-zeroes",
         ),
         Way(XArm(), XarmRobot, "xarm", for_xarm, xarm_payload.read_payload, xarm_payload.write_payload, "cli-export-until-off"),
+        Way(
+            Franka(),
+            FrankaRobot,
+            "franka_fci",
+            for_franka,
+            franka_payload.read_payload,
+            franka_payload.write_payload,
+            "cli-export-load-beside",
+        ),
     )
 }
 

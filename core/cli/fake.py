@@ -17,6 +17,9 @@ from core.cli.options import CellArgument, PayloadOption, SeedOption, choose_pay
 from core.cli.terminal import find_wording, messages
 from core.errors import BadInput
 from core.fakes.ati_server import AtiServer, Setup
+from core.fakes.franka_arm import FrankaArm
+from core.fakes.franka_protocol import PORT as FCI_PORT
+from core.fakes.franka_server import FrankaServer
 from core.fakes.fri_arm import FriArm
 from core.fakes.fri_server import PORT as FRI_PORT
 from core.fakes.fri_server import FriServer
@@ -114,6 +117,32 @@ def serve_kuka(
         _wait_for_the_end(server, arm)
 
 
+@app.command("franka")
+def serve_franka(
+    cell: CellArgument,
+    payload: PayloadOption = None,
+    seed: SeedOption = 0,
+    host: HostOption = "127.0.0.1",
+    port: Annotated[int, typer.Option(metavar="PORT", min=1, max=65535, help="TCP port of the interface, session.port.")] = FCI_PORT,
+    server_version: Annotated[
+        int, typer.Option("--server-version", metavar="N", min=5, max=10, help="Of the interface: 5 is a Panda's, 6 to 10 a Research 3's.")
+    ] = 10,
+) -> None:
+    """A Panda or Franka Research 3 over FCI with the cell's virtual robot, and an ATI Net F/T box on its flange (RDT 49152, pages 8049)."""
+    loaded = load_cell(find_cell(cell))
+    _, carried = choose_payload(loaded, payload)
+    if len(loaded.robot.home_rad) != 7:
+        raise BadInput("cell", "cli-fake-not-seven-joints", count=len(loaded.robot.home_rad))
+    arm = FrankaArm(loaded, carried.parameters, seed, version=server_version)
+    server = FrankaServer(arm, host, port=port)
+    with _tell_no_address(host, f"{port}, {RDT_PORT}, {PAGES_PORT}"), server, _make_box(lambda: arm.samples[-1].wrench, loaded):
+        messages.print(
+            find_wording().say("cli-fake-serves-franka", host=host, port=str(port), model=arm.model, version=server_version), soft_wrap=True
+        )
+        messages.print(find_wording().say("cli-fake-serves-ati", rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)
+        _wait_for_the_end(server, arm)
+
+
 @contextmanager
 def _tell_no_address(host: str, ports: str) -> Iterator[None]:
     """Raises BadInput where nothing can listen there."""
@@ -131,7 +160,7 @@ def _serve(server: PacedServer, arm: UrArm | XarmArm, model: str, serial: str) -
     _wait_for_the_end(server, arm)
 
 
-def _wait_for_the_end(server: PacedServer, arm: UrArm | XarmArm | FriArm) -> None:
+def _wait_for_the_end(server: PacedServer, arm: UrArm | XarmArm | FriArm | FrankaArm) -> None:
     """Until somebody has had enough; then what was counted."""
     try:
         while True:

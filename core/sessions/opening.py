@@ -13,6 +13,7 @@ from core.cell.session import RealRobot
 from core.payload.inertia import InertialParameters
 from core.sensors.opening import open_sensor
 from core.sessions.external_sensor import ExternalSensorSession
+from core.sessions.franka import FrankaSession
 from core.sessions.kuka import KukaSession
 from core.sessions.pace import Pace
 from core.sessions.session import RobotSession
@@ -21,7 +22,12 @@ from core.sessions.ur import UniversalRobotsSession
 from core.sessions.xarm import XarmSession
 from core.twin.twin import NOMINAL, Twin
 
-DRIVERS: Mapping[str, Callable[[Cell], RobotSession]] = {"ur_rtde": UniversalRobotsSession, "xarm": XarmSession, "kuka_fri": KukaSession}
+DRIVERS: Mapping[str, Callable[[Cell], RobotSession]] = {
+    "ur_rtde": UniversalRobotsSession,
+    "xarm": XarmSession,
+    "kuka_fri": KukaSession,
+    "franka_fci": FrankaSession,
+}
 """Makes the session of a real robot; a driver reaches for nothing before it is entered or asked where the robot stands."""
 
 

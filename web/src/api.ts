@@ -2602,7 +2602,7 @@ export interface components {
              *       "driver": "simulated"
              *     }
              */
-            session?: components["schemas"]["SimulatedRobot"] | components["schemas"]["UniversalRobot"] | components["schemas"]["XarmRobot"] | components["schemas"]["KukaRobot"];
+            session?: components["schemas"]["SimulatedRobot"] | components["schemas"]["UniversalRobot"] | components["schemas"]["XarmRobot"] | components["schemas"]["KukaRobot"] | components["schemas"]["FrankaRobot"];
             /**
              * @description From which external torques and forces the controller acts.
              * @default {
@@ -4976,6 +4976,70 @@ export interface components {
             parameters?: {
                 [key: string]: unknown;
             };
+        };
+        /**
+         * FrankaRobot
+         * @description A Panda or Franka Research 3 over the Franka Control Interface (FCI). Its messages name no serial number; `firmware` is the version
+         *     of its server.
+         */
+        FrankaRobot: {
+            /**
+             * Host
+             * @description Name or address of the robot's controller.
+             * @example 192.168.1.10
+             */
+            host: string;
+            /**
+             * @description The base frame of the controller in the cell's `robot.base_frame`; the same where nobody has said.
+             * @default {
+             *       "xyz_m": [
+             *         0,
+             *         0,
+             *         0
+             *       ],
+             *       "rpy_rad": [
+             *         0,
+             *         0,
+             *         0
+             *       ]
+             *     }
+             */
+            base?: components["schemas"]["Pose"];
+            /**
+             * Sensor
+             * @description A sensor that is read on its own line; the robot's own where null.
+             */
+            sensor?: (components["schemas"]["NetFtSensor"] | components["schemas"]["BotaSensor"] | components["schemas"]["RobotiqSensor"]) | null;
+            /**
+             * Model
+             * @description The robot's model as its controller names it; another one is refused.
+             * @example UR5e
+             */
+            model: string;
+            /**
+             * Serial
+             * @description The arm's serial number; another arm is refused. Not looked at where null.
+             * @example 20245500123
+             */
+            serial?: string | null;
+            /**
+             * Firmware
+             * @description What the controller's version has to begin with: 5.17 takes 5.17.3. Whatever the driver knows where null.
+             * @example 5.17
+             */
+            firmware?: string | null;
+            /**
+             * @description Which driver. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            driver: "franka_fci";
+            /**
+             * Port
+             * @description TCP port of the interface.
+             * @default 1337
+             * @example 1337
+             */
+            port?: number;
         };
         /**
          * Friction
@@ -16262,6 +16326,7 @@ export type FastestCorner = components['schemas']['FastestCorner'];
 export type FencingToken = components['schemas']['FencingToken'];
 export type Finished = components['schemas']['Finished'];
 export type Flaw = components['schemas']['Flaw'];
+export type FrankaRobot = components['schemas']['FrankaRobot'];
 export type Friction = components['schemas']['Friction'];
 export type GapPart = components['schemas']['GapPart'];
 export type Health = components['schemas']['Health'];

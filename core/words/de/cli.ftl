@@ -33,9 +33,10 @@ cli-fake-not-allowed =
     .expected = --port 5020, und in der Zelle session.port = 5020
 cli-fake-not-seven-joints =
     .found = eine Zelle mit { $count } Gelenken
-    .expected = sieben: So viele hat ein KUKA LBR
+    .expected = sieben: So viele hat dieser Arm
 cli-fake-sends = ein KUKA LBR an { $host } sendet an { $client }, Port { $port }, alle { $period } ms; Strg-C beendet ihn.
 cli-fake-serves = ein { $model } (Seriennummer { $serial }) an { $host }; Strg-C beendet ihn.
+cli-fake-serves-franka = ein { $model } an { $host }, Port { $port }, Serverversion { $version }; Strg-C beendet ihn. Seine Steuerung erlaubt 10 rad/s² (7,5 an Gelenk 2 eines Panda): robot.acceleration_rad_s2 der Zelle muss das einhalten.
 cli-fake-serves-ati = Eine ATI-Net-F/T-Box an seinem Flansch auf 127.0.0.1: RDT an Port { $rdt }, Seiten an Port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages })
 cli-fake-serves-ati-alone = eine ATI-Net-F/T-Box auf 127.0.0.1, die die Last ruhig hält: RDT an Port { $rdt }, Seiten an Port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages }); Strg-C beendet sie.
 cli-fake-served = { $followed } Perioden unter Befehl, { $missed } davon ohne neuen Befehl; { $late } Perioden begannen auf diesem Rechner zu spät.
@@ -155,6 +156,7 @@ cli-export-then = wird gesetzt auf
 cli-export-no-inertia = Die Trägheit ist nicht ganz bestimmt; geschrieben wird null, wie bei einer Punktmasse. Schnelle Bewegungen werden dann mit zu wenig Trägheit gerechnet.
 cli-export-sensor-itself = Was zwischen Flansch und Sensor sitzt, und die Flanschseite des Sensors selbst, ist in diesen Zahlen nicht enthalten: es kommt zu der Masse hinzu, die die Steuerung braucht.
 cli-export-zeroes = Die Steuerung nullt dadurch ihren Kraft-Momenten-Sensor: nichts darf dabei das Werkzeug berühren, und Aufzeichnungen von davor und danach haben verschiedene Offsets. Fügen Sie sie nicht zu einer zusammen.
+cli-export-load-beside = Die Steuerung zählt sie neben dem Endeffektor, der in Desk eingerichtet ist: Was dort eingetragen ist und hinter dem Sensor hängt, zählt doppelt. Wie lange sie bleibt, sagt keine öffentliche Quelle: sehen Sie nach einem Neustart nach.
 cli-export-until-off = Die Steuerung hat sie, bis sie ausgeschaltet oder eine andere gesetzt wird: dann nimmt sie, was in UFACTORY Studio gespeichert ist. Tragen Sie sie auch dort ein, und speichern Sie. Die Last in der Einrichtung ihres Kraft-Momenten-Sensors ist eine andere, und bleibt, wie sie ist.
 cli-export-yes = ja
 cli-export-question = Um den Roboter an { $host } so zu setzen, { $yes } eingeben

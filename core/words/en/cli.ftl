@@ -34,9 +34,10 @@ cli-fake-not-allowed =
     .expected = --port 5020, and session.port = 5020 in the cell
 cli-fake-not-seven-joints =
     .found = a cell with { $count } joints
-    .expected = seven: a KUKA LBR has that many
+    .expected = seven: this arm has that many
 cli-fake-sends = a KUKA LBR at { $host } sends to { $client }, port { $port }, every { $period } ms; Ctrl-C ends it.
 cli-fake-serves = a { $model } (serial number { $serial }) at { $host }; Ctrl-C ends it.
+cli-fake-serves-franka = a { $model } at { $host }, port { $port }, server version { $version }; Ctrl-C ends it. Its controller allows 10 rad/s² (7.5 at joint 2 of a Panda): robot.acceleration_rad_s2 of the cell has to keep that.
 cli-fake-serves-ati = An ATI Net F/T box on its flange at 127.0.0.1: RDT on port { $rdt }, pages on port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages })
 cli-fake-serves-ati-alone = an ATI Net F/T box at 127.0.0.1 that holds the payload still: RDT on port { $rdt }, pages on port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages }); Ctrl-C ends it.
 cli-fake-served = { $followed } periods under command, { $missed } of them without a new command; { $late } periods began late on this computer.
@@ -162,6 +163,7 @@ cli-export-then = will be set to
 cli-export-no-inertia = The inertia is not determined throughout; zero is written, as for a point mass. The controller then reckons with too little in fast motions.
 cli-export-sensor-itself = What sits between flange and sensor, and the sensor's own flange side, is not in these numbers: the controller needs it on top.
 cli-export-zeroes = The controller zeroes its force/torque sensor by this: nothing may touch the tool meanwhile, and recordings from before and after have different offsets. Do not put them together as one.
+cli-export-load-beside = The controller counts it beside the end effector that is set up in Desk: what is set there and hung behind the sensor counts twice. How long it is kept no public source says: look at it after a restart.
 cli-export-until-off = The controller has it until it is switched off or another is set: then it takes what is saved in UFACTORY Studio. Put it in there, too, and save it. The load in the set-up of its force/torque sensor is another one, and stays as it is.
 cli-export-yes = yes
 cli-export-question = To set the robot at { $host } so, type { $yes }

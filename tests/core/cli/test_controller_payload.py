@@ -10,6 +10,8 @@ from typer.testing import CliRunner
 from core.cell.folder import find_cell, load_cell
 from core.cli.main import app
 from core.errors import BadInput, BadPayload, NotConnected, Refused
+from core.fakes.franka_arm import FrankaArm
+from core.fakes.franka_server import FrankaServer
 from core.fakes.ur_arm import UrArm
 from core.fakes.ur_server import UrServer
 from core.fakes.xarm_arm import XarmArm
@@ -183,6 +185,26 @@ def test_a_controller_of_ufactory_takes_mass_and_centre_and_the_lost_inertia_is_
     assert "accepted by M. Curie" in said.stdout and "Ixx" not in said.stdout
     assert "has no place for Ixx" in said.stderr
     assert "until it is switched off" in said.stderr
+
+
+def test_a_controller_of_franka_takes_all_ten_and_its_end_effector_is_said_to_count_beside(tmp_path):
+    simulated = load_cell(find_cell("lwr4_bench"))
+    folder = tmp_path / "lwr4_bench"
+    shutil.copytree(simulated.folder, folder)
+    text = (folder / "cell.toml").read_text().replace("[15.0, 15.0, 15.0, 15.0, 20.0, 20.0, 20.0]", str([7.5] * 7))
+    sensor = 'sensor = { driver = "ati_net_ft", host = "127.0.0.1" }'
+    (folder / "cell.toml").write_text(f'{text}\n[session]\ndriver = "franka_fci"\nhost = "{HOST}"\nmodel = "fr3"\n{sensor}\n')
+    mount = simulated.sensor.mount
+    body = cloud(0).moved(mount.rotation, mount.translation)
+    with FrankaServer(FrankaArm(simulated, seed=1), HOST) as server:
+        said = write(tmp_path, folder, "--accepted-by", "M. Curie", "--target", "franka", of="lwr4_bench")
+        assert said.exit_code == 0, said.output
+        arm = server.arm
+        np.testing.assert_allclose([arm.mass, *arm.com], [body.masses.sum(), *body.com], rtol=1e-7)
+        np.testing.assert_allclose(arm.inertia.reshape(3, 3), body.inertia(body.com), rtol=1e-7, atol=1e-9)
+    assert "accepted by M. Curie" in said.stdout
+    assert "beside the end effector that is set up in Desk" in said.stderr
+    assert "sits between flange and sensor" in said.stderr
 
 
 def test_the_target_has_to_be_that_of_the_cells_robot(cell, tmp_path):

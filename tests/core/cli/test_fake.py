@@ -74,3 +74,30 @@ def test_a_box_alone_reports_the_weight_that_its_sensor_holds(monkeypatch: pytes
     between = abs(payload("steel_block").phi[0] - payload("cylinder").phi[0]) * 9.81
     assert between > 0.5
     assert np.linalg.norm(block - cylinder) == pytest.approx(between, abs=0.3)  # the offset is the same, the noise is not
+
+
+def test_a_franka_tells_its_version_and_states_go_to_whoever_connects(monkeypatch: pytest.MonkeyPatch) -> None:
+    host, heard = "127.28.1.44", list[int]()
+
+    def connect(_: float) -> None:
+        with socket.create_connection((host, 1337), timeout=30.0) as line, socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as states:
+            states.bind((line.getsockname()[0], 0))
+            states.settimeout(30.0)
+            line.sendall(struct.pack("<IIIHH", 0, 0, 16, 7, states.getsockname()[1]))
+            assert line.recv(15, socket.MSG_WAITALL) == struct.pack("<IIIBH", 0, 0, 15, 0, 7)
+            heard.append(len(states.recv(4096)))
+        raise KeyboardInterrupt
+
+    def box(*given: Any, setup: Any, rdt_port: int, http_port: int) -> AtiServer:
+        assert (rdt_port, http_port) == (49152, 8049)
+        return AtiServer(*given, setup=setup)  # on ports that are free
+
+    monkeypatch.setattr(fake, "AtiServer", box)
+    monkeypatch.setattr(fake, "time", SimpleNamespace(sleep=connect))
+    options = ["fake", "franka", "lwr4_bench", "--host", host, "--server-version", "7"]
+    said = CliRunner().invoke(app, options, terminal_width=1000)
+    assert said.exit_code == 0, said.output
+    assert heard == [2373]
+    assert f"a fr3 at {host}, port 1337, server version 7" in said.output
+    refused = CliRunner().invoke(app, ["fake", "franka", "ur5e_line"])
+    assert refused.exit_code != 0 and "6 joints" in str(refused.exception)
