@@ -21,7 +21,7 @@ from core.sessions.flange_watch import FlangeWatch
 from core.sessions.franka_arm import flange_of, link_of, reach
 from core.sessions.franka_keeper import Keeper
 from core.sessions.franka_line import FciLine
-from core.sessions.franka_messages import JOINTS, PERIOD, Command, Sample, write_move
+from core.sessions.franka_messages import JOINTS, PERIOD, Command, Mode, Sample, write_move
 from core.sessions.franka_path import SHARE, Difference, Smoothness, Steps, braking_path, make_of
 from core.sessions.franka_readiness import check_ready, explain_end, explain_refusal, runs
 from core.sessions.session import RobotState
@@ -39,8 +39,9 @@ OUTCOME_S = 0.1
 """How long it may take to say what has become of a motion."""
 START_RAD = 0.005
 """Farther than this from where the arm stands no motion is begun."""
-TAKEN_RAD = 2e-6
-"""Beyond this what the controller commands is not what it was sent: single precision loses a tenth of it."""
+TAKEN_RAD = 4e-7
+"""Beyond this what the controller commands is not what it was sent. Single precision loses at most a third of it; what goes unnoticed below
+it counts as a jerk of 400 rad/s3 to the controller, and of three times that in the period that follows."""
 WAIT, FOLLOW, BRAKE = "wait", "follow", "brake"
 
 
@@ -50,7 +51,7 @@ class FrankaSession(ControllerSession):
     `state()` waits for the controller's next state and gives the newest; one that no command has answered is answered with the last one,
     and where the arm moved it brakes. `stop()` makes the driver itself brake in the periods that follow, within the limits of the
     controller. Where that had a command too late and went on by itself, the way back to the path is smooth; `q_cmd` of a state is the path.
-    While nobody asks, an arm that stands is kept in its motion (`Keeper`).
+    While nobody asks, an arm that stands is kept in its motion (`Keeper`); after a stop the motion is over, and `release()` begins another.
 
     Args:
         cell: names host and model, and the sensor.
@@ -117,8 +118,8 @@ class FrankaSession(ControllerSession):
             if self._mode == BRAKE:
                 raise BadState("session-command-after-stop", value=1.0, limit=0.0)
             q = self._check_step(q)
-            if self._braking:  # it was told nothing for a moment: the path goes on from here, and the arm comes back to it
-                self._path = Steps(self._q_cmd)
+            if self._mode == WAIT or self._braking:  # where the path begins, or goes on after it was told nothing for a moment
+                self._path = Steps(q if self._mode == WAIT else self._q_cmd)
                 self._difference.set(self._sent, self._path)
                 self._braking.clear()
             sent = self._sent.next(q + self._difference.next())
@@ -135,23 +136,24 @@ class FrankaSession(ControllerSession):
             self._note()
 
     def stop(self) -> None:
-        """The driver brakes in the periods that follow, along the path, and then keeps the place until `release()`."""
+        """The driver brakes in the periods that follow, along the path, and ends the motion: the controller keeps the place."""
         with self._lock:
             if self._mode != BRAKE and self._line is not None:
                 self._mode = BRAKE
                 self._brake()
 
     def release(self) -> None:
-        """Waits until the robot stands and allows commands again, from there.
+        """Waits until the robot stands and begins a new motion, from there.
 
         Raises:
             ControllerStopped: the controller lets the robot not move.
+            NotConnected: it does not begin the motion.
         """
         with self._lock:
-            self._stand()
-            if not runs(self._newest()):
+            self._end()
+            if self._newest().mode != Mode.IDLE:
                 raise self._explain(self._newest())
-            self._mode = WAIT
+            self._begin()
             self._note()
 
     def remarks(self) -> list[Message]:
@@ -187,6 +189,14 @@ class FrankaSession(ControllerSession):
         return self._q_cmd
 
     def _take(self) -> None:
+        self._begin()
+        sample, line = self._newest(), self._open()
+        self._external_at_begin, self._estimate_at_begin = sample.external, sample.estimate
+        self._missed_at_begin, self.missed, self.lost, self._samples = line.missed, 0, 0, 0
+        self._keeper = Keeper(self._attend)
+        self._keeper.begin()
+
+    def _begin(self) -> None:
         """Has the controller follow joint positions; the arm stays where it is.
 
         Raises:
@@ -213,13 +223,9 @@ class FrankaSession(ControllerSession):
         apart = float(np.abs(sample.q_d - sample.q).max())
         if apart > START_RAD:
             raise NotConnected("franka-start", host=host, value=apart, limit=START_RAD)
-        self._sample, self._answered, self._load = sample, False, sample.load
+        self._sample, self._answered, self._load, self._mode = sample, False, sample.load, WAIT
         self._sent = self._path = Steps(sample.q_d)
         self._q_cmd, self._difference = sample.q_d, Difference(JOINTS)
-        self._external_at_begin, self._estimate_at_begin = sample.external, sample.estimate
-        self._missed_at_begin, self.missed, self.lost, self._samples = line.missed, 0, 0, 0
-        self._keeper = Keeper(self._attend)
-        self._keeper.begin()
 
     def _check_begun(self, answer: bytes) -> None:
         """Raises NotConnected where the controller has not begun the motion, or has ended it at once."""
@@ -264,7 +270,8 @@ class FrankaSession(ControllerSession):
                 self._brake()
 
     def _answer(self, sample: Sample) -> None:
-        """The next command of a stop, or the present one once more; an arm that moves and is told nothing brakes."""
+        """The next command of a stop, which ends with the motion, or the present one once more; an arm that moves and is told nothing
+        brakes."""
         self._answered = True
         if not runs(sample):
             self._braking.clear()
@@ -272,7 +279,7 @@ class FrankaSession(ControllerSession):
         if not self._braking and not self._sent.rests:
             self._brake()
         q = self._braking.popleft() if self._braking else self._sent.q
-        self._send(self._sent.next(q))
+        self._send(self._sent.next(q), finished=self._mode == BRAKE and not self._braking)
         self._path, self._q_cmd = self._sent, self._sent.q
 
     def _brake(self) -> None:
@@ -280,10 +287,10 @@ class FrankaSession(ControllerSession):
         self._braking = deque(braking_path(self._sent, acceleration, SHARE * self._smooth.jerk))
         self._difference = Difference(JOINTS)
 
-    def _send(self, sent: Steps) -> None:
+    def _send(self, sent: Steps, *, finished: bool = False) -> None:
         self._sent, self._answered = sent, True
         try:
-            self._open().command(self._newest().number, sent.q)
+            self._open().command(self._newest().number, sent.q, finished=finished)
         except OSError as error:
             self._lose(error)
 
@@ -315,17 +322,12 @@ class FrankaSession(ControllerSession):
     def _give_back(self) -> None:
         """The motion is ended; where the controller has ended it already, there is nothing to be done."""
         with self._lock:
-            self._stand()
-            line = self._open()
-            until = self._newest().t + BEGIN_S
-            while runs(self._newest()) and self._newest().t < until:
-                line.command(self._newest().number, self._sent.q, finished=True)
-                self._answered = True
-                self._next()
+            self._end()
 
-    def _stand(self) -> None:
-        """Waits until the robot stands, or the controller does not follow any more."""
-        while self._braking and runs(self._newest()):
+    def _end(self) -> None:
+        """Waits until a robot that brakes stands and its controller has ended the motion."""
+        until = self._newest().t + BEGIN_S
+        while runs(self._newest()) and self._newest().t < until:
             self._next()
 
     def _attend(self) -> None:

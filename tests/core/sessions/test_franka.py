@@ -257,7 +257,7 @@ def test_a_path_that_the_controller_would_refuse_is_not_sent_and_the_robot_brake
         with pytest.raises(BadState):
             session.command(begin)
         [session.state() for _ in range(300)]
-        assert not bench.arm.errors and bench.arm.obeys and not bench.arm.moves
+        assert not bench.arm.errors and bench.arm.mode == IDLE and not bench.arm.moves
 
 
 def test_commands_that_get_lost_on_the_way_are_made_up_for_without_a_jump(bench):
@@ -274,11 +274,14 @@ def test_commands_that_get_lost_on_the_way_are_made_up_for_without_a_jump(bench)
     np.testing.assert_allclose(bench.where(), states[-1].q_cmd, atol=2e-3)
 
 
-def test_a_robot_that_stands_is_kept_while_nobody_asks(bench):
-    bench.server.patience_s = None
+def test_a_robot_that_stands_is_kept_while_nobody_asks_in_its_motion_and_after_a_stop_without_one(bench):
     with bench.alone() as session:
         target = move(session, bench.cell)[-1].q_cmd
         session.stop()
+        [session.state() for _ in range(300)]
+        bench.server.patience_s = None
+        time.sleep(0.5)
+        assert bench.arm.mode == IDLE
         session.release()
         time.sleep(0.5)
         stands = session.state().q_cmd
