@@ -151,7 +151,7 @@ def test_a_cell_without_a_mount_is_refused(cell, tmp_path):
     ("options", "says"),
     [
         (["--cell", "ur5e_line", "--accepted-by", "me"], "neither"),
-        (["--target", "franka", "--accepted-by", "me"], "one of ur, xarm"),
+        (["--target", "flexiv", "--accepted-by", "me"], "one of ur, xarm, franka"),
         (["--accepted-by", "  "], "no name"),
         (["--write", "ur5e_line", "--accepted-by", "me"], "driver 'simulated'"),
     ],
