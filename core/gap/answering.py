@@ -5,6 +5,8 @@ from __future__ import annotations
 from functools import reduce
 from itertools import islice
 
+import numpy as np
+
 from core.effects.effect import STAGE_NAMES
 from core.effects.parameter_title import find_title
 from core.estimation.determination import find_determined
@@ -68,7 +70,7 @@ def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:
         indistinguishable=[_describe_tie(tie, evidence.proposals) for tie in attribution.ties] if material else [],
         where=_where(recording, Residual(windows, nominal), best, verdict),
         gap=describe_gap(evidence),
-        payload=PayloadPart(before=describe_payload(nominal), after=describe_payload(best)),
+        payload=PayloadPart(before=describe_payload(nominal), after=describe_payload_after(evidence)),
         consequence=payload_shift(nominal, best) if verdict != "unknown" else Message.of("gap-payload-in-doubt"),
         next_experiment=evidence.proposals[0].answer if evidence.proposals else None,
         limits=list(evidence.limits),
@@ -213,6 +215,19 @@ def _where(recording: Recording, residual: Residual, best: EffectFit, verdict: V
 def describe_payload(fit: EffectFit) -> PhiPart:
     """What a fit makes of the payload."""
     return PhiPart(phi=fit.phi.tolist(), std=fit.phi_std.tolist(), determined=find_determined(fit.phi, fit.phi_std).tolist())
+
+
+def describe_payload_after(evidence: Evidence) -> PhiPart:
+    """What the explanations that are named make of the payload, each by its probability: within them and between them."""
+    if evidence.verdict != "ambiguous":
+        return describe_payload(evidence.best)
+    fits = _find_open(evidence)
+    known = {fit.name: p for fit, p in evidence.attribution.explained}
+    share = np.array([known[fit.name] for fit in fits]) / sum(known[fit.name] for fit in fits)
+    each = np.array([fit.phi for fit in fits])
+    phi = share @ each
+    std = np.sqrt(share @ (np.square([fit.phi_std for fit in fits]) + np.square(each - phi)))
+    return PhiPart(phi=phi.tolist(), std=std.tolist(), determined=find_determined(phi, std).tolist())
 
 
 def not_enough(reason: Message, seconds: float) -> Diagnosis:

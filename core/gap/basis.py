@@ -30,6 +30,9 @@ NARROW_S = 0.0125
 NOTHING_MOVES_RAD = 0.02
 LEAST_ZERO_STD_RAD = 1e-6
 """A prior needs some width."""
+CLOSE_S = 0.004
+"""Fresh readings so close lie on straight lines between each other as far as their noise lets anyone see. The motion is left on its even
+clock then: at uneven rows the second differences of the poses would let their noise through."""
 FEWEST_HOLDS = 4
 """Where positions are not recorded and the sensor rested so often, turned, rest is compared alone: how it was accelerated nobody knows."""
 TURNED_M_S2 = 0.5
@@ -93,6 +96,7 @@ def basis_of_poses(recording: Recording, poses: Poses, wrench: Array) -> Basis:
         None if known is None else known.phi,
         find_zero_std(recording),
         each,
+        each,
         csr_array(each.shape),
         Rows(t, poses.period, each, np.zeros(len(t), dtype=np.intp)),
     )
@@ -122,9 +126,11 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
     narrow = max(NARROW_S, 4.0 * poses.period)
     ends = [poses.t[part][[0, -1]] for part in stretches(poses.t)]
     t = np.concatenate([np.arange(first + 2.0 * narrow, last - 2.0 * narrow, grid) for first, last in ends])
-    spread = window_matrix(t, narrow, poses.t)
-    if fresh is not None:  # both sides go through the rows that were read, and so does the noise
-        spread = csr_array(spread @ fresh.between)
+    spread = reading = window_matrix(t, narrow, poses.t)
+    if fresh is not None:
+        reading = csr_array(spread @ fresh.between)
+        if fresh.every * poses.period > CLOSE_S:  # both sides go through the rows that were read
+            spread = reading
     g, a, B = (np.asarray(spread @ x.reshape(len(poses.t), -1)).reshape(len(t), *x.shape[1:]) for x in (poses.g, raw.a, raw.B))
     omega = np.column_stack([np.interp(t, poses.t, channel) for channel in motion.omega.T])
     scene = replace(scene_of(recording, poses, Motion(g, a, omega, axial(B)), segments, t), window=narrow)
@@ -133,8 +139,8 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
     V, equations = regressor_of(a - g, B), window_rows(poses, t, 1.0 if fresh is None else fresh.every)
     if poses.position is None:
         equations = _take_rest(equations, g, np.asarray(spread @ still.astype(float)))
-    measured, zero_std = np.asarray(spread @ wrench), find_zero_std(recording)
-    return Basis(poses, noise, segments, scene, measured, V, reference, zero_std, spread, raw.difference, equations)
+    measured, zero_std = np.asarray(reading @ wrench), find_zero_std(recording)
+    return Basis(poses, noise, segments, scene, measured, V, reference, zero_std, spread, reading, raw.difference, equations)
 
 
 def _take_rest(rows: Rows, g: Array, still: Array) -> Rows:

@@ -148,7 +148,7 @@ def _finish(problem: Problem, beta: Array, theta: Array) -> EffectFit:
         theta,
         beta,
         covariance,
-        enlarge_covariance(covariance, columns, r, problem.windows.centres),
+        enlarge_covariance(covariance, columns, r, problem.windows.centres, problem.windows.group),
         r.reshape(shape),
         cost,
         log_evidence,

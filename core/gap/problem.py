@@ -90,10 +90,12 @@ class Problem:
         """Whether changes of the nominal wrench pass all effects as they are."""
         return all(effect.only_adds for effect, *_ in self._chain)
 
-    def pass_changes(self, theta: Array, scene: Scene, changes: Array) -> Iterator[Array]:
-        """(N, 6) each, what the effects make of small changes of the nominal wrench (M, N, 6)."""
-        without = self._behind(theta, scene, scene.nominal, {})
-        return (self._behind(theta, scene, scene.nominal + change, {}) - without for change in changes)
+    def pass_noise(self, theta: Array, scene: Scene, accelerations: Array) -> Iterator[Array]:
+        """(N, 6) each, what payload and effects make of errors of the linear and angular acceleration (M, N, 6)."""
+        m, without = scene.motion, self._behind(theta, scene, scene.nominal, {})
+        for error in accelerations:
+            seen = replace(scene, motion=replace(m, a=m.a + error[:, :3], alpha=m.alpha + error[:, 3:]))
+            yield self._behind(theta, seen, seen.nominal, {}) - without
 
     def _behind(self, theta: Array, scene: Scene, w: Array, known: dict[bytes, Array]) -> Array:
         """(N, 6), the wrench w behind all effects."""

@@ -1,7 +1,8 @@
-"""What an effect spares itself by smoothing the twin's own noise.
+"""What an effect spares itself of the twin's own noise.
 
-The twin predicts from measured joints, and their noise goes through every effect with the rest. A filter takes some of it away, so its
-residual gets smaller whether the filter is there or not. That is no evidence, and is given back.
+The twin predicts from measured joints, and their noise goes through the payload and every effect with the rest. A filter takes some of it
+away, and so does an effect that stands for the payload's weight and leaves it next to no mass: the residual gets smaller whether the effect
+is there or not. That is no evidence, and is given back.
 """
 
 from __future__ import annotations
@@ -13,28 +14,35 @@ from core.gap.problem import Problem
 from core.gap.windows import BLUR, LATE, PHI, Windows
 from core.payload.inertia import spatial_inertia
 
+LEAST = 1.0
+"""Of chi-square in all: less noise of the kinematics is not looked at."""
+FEWER = 4
+"""Draws, where nothing is filtered and hardly any noise is spared."""
+
 
 def estimate_spared_noise(problem: Problem, theta: Array, beta: Array) -> Array:
-    """(6, K), chi-square that the noise of the kinematics loses on its way through effects and small imperfections, as expected for each
-    motion and channel.
+    """(6, K), chi-square that the noise of the kinematics loses on its way through payload, effects and small imperfections, against what
+    it is taken to be, as expected for each motion and channel.
 
     Args:
         theta: of the effects.
         beta: payload, through which noise of the kinematics becomes a wrench, offsets, small imperfections.
     """
     windows, phi = problem.windows, beta[PHI]
-    accelerations = windows.acceleration_noise
-    if not accelerations.any():
-        return np.zeros(windows.target.shape)
     inertia = spatial_inertia(phi).T
-    seen, rate, rate_of_rate = windows.windowed_acceleration_noise
-    rows = windows.whiten_windowed(seen @ inertia)
-    late = windows.whiten_windowed((-beta[LATE] * rate + 0.5 * beta[BLUR] * rate_of_rate) @ inertia)
+    seen = windows.kinematic_noise
+    taken, rows = (windows.whiten_windowed(seen.windowed @ through) for through in (spatial_inertia(windows.phi).T, inertia))
+    late = windows.whiten_windowed((-beta[LATE] * seen.rate + 0.5 * beta[BLUR] * seen.rate_of_rate) @ inertia)
+    expected = np.square(taken).mean(axis=0)
+    if expected.sum() < LEAST:
+        return np.zeros(windows.target.shape)
     passed = rows
-    if not problem.only_adds:
-        scene = windows.basis.scene.with_phi(phi)
-        passed = windows.rows_of(problem.pass_changes(theta, scene, accelerations @ inertia)).transpose(2, 0, 1)
-    return _by_motion(windows, np.square(rows).mean(axis=0) - np.square(passed + late).mean(axis=0))
+    if problem.effects or problem.held:
+        draws, scene = slice(FEWER if problem.only_adds else None), windows.basis.scene.with_phi(phi)
+        expected = np.square(taken[draws]).mean(axis=0)
+        passed = windows.rows_of(problem.pass_noise(theta, scene, seen.on_grid[draws])).transpose(2, 0, 1)
+        late = late[draws]
+    return _by_motion(windows, expected - np.square(passed + late).mean(axis=0))
 
 
 def _by_motion(windows: Windows, rows: Array) -> Array:

@@ -29,6 +29,7 @@ from core.estimation.pose_gram import PoseGram
 from core.estimation.segments import Segment, stretches
 from core.estimation.splines import cardinal
 from core.estimation.weak_form import STEP_S, tilt_axes
+from core.gap.kinematic_noise import KinematicNoise, draw_noise
 from core.gap.whitener import Whitener
 from core.payload.inertia import Motion, spatial_inertia
 from core.payload.rigid_wrench import wrench
@@ -51,8 +52,6 @@ ZERO_STD_RAD = 3.5e-4
 ZERO_STEP_RAD = 1e-4
 TURNING_STD_M = 1.0
 """Of where a sensor whose position nobody knows turns about, each coordinate: an arm's length."""
-NOISE_DRAWS = 16
-"""Of the noise of the kinematics; a mean over them is right to a few units of chi-square."""
 FORGOTTEN_S = 0.5
 """Time after which delays and filters have forgotten what was before."""
 
@@ -94,7 +93,8 @@ class Basis:
         V: (N, 6, 10), nominal regressor, likewise.
         reference: (10,), the payload as somebody else knows it, None where nobody does.
         zero_std_rad: of the joints' zeros.
-        spread: (N, samples), the narrow windows; `difference`: (samples, samples), second differences of the poses.
+        spread: (N, samples), the narrow windows over the motion; `reading`: (N, samples), those over the readings; `difference`: (samples,
+            samples), second differences of the poses.
         rows: of the equations.
     """
 
@@ -107,6 +107,7 @@ class Basis:
     reference: Array | None
     zero_std_rad: float
     spread: csr_array
+    reading: csr_array
     difference: csr_array
     rows: Rows
 
@@ -127,7 +128,8 @@ class Windows:
         self.y = y = self._average(basis.wrench)
         """(K, 6), measured, N and N m."""
         V = self._average(basis.V)
-        phi = self._first_phi(y, V)
+        self.phi = phi = self._first_phi(y, V)
+        """(10,), the payload by which the noise of the poses is taken to show in the wrench."""
         self._factors = self._whiteners(phi)
         self._whitener = Whitener(self._to_windows, self._factors)
         nominal = basis.V @ phi
@@ -193,9 +195,9 @@ class Windows:
 
     def _whiteners(self, phi: Array) -> list[Array]:
         """Cholesky factors, banded, of the covariance of each channel's windows."""
-        W = csr_array(self._to_windows @ self.basis.spread)
+        R, W = csr_array(self._to_windows @ self.basis.reading), csr_array(self._to_windows @ self.basis.spread)
         D = csr_array(W @ self.basis.difference)
-        of_sensor, of_pose = csr_array(W @ W.T), csr_array(D @ D.T)
+        of_sensor, of_pose = csr_array(R @ R.T), csr_array(D @ D.T)
         count = max(count_bands(of_sensor), count_bands(of_pose))
         pose = PoseGram.of(self.basis.poses.noise, D, [csr_array(W @ each) for each in self._jittered], count)
         sensor, M = bands_of(of_sensor, count), spatial_inertia(phi)
@@ -255,29 +257,11 @@ class Windows:
         return find_jittered(self.basis.poses, self.basis.difference)
 
     @cached_property
-    def acceleration_noise(self) -> Array:
-        """(M, N, 6), linear and angular acceleration on the grid as the noise of the poses and of their instants alone would make them, M
-        draws of it; always the same."""
-        basis, rng = self.basis, np.random.default_rng(0)
-        values, vectors = np.linalg.eigh(basis.poses.noise)
-        white = rng.standard_normal((NOISE_DRAWS, len(basis.poses.t), 6))
-        seen = basis.spread @ (basis.difference @ white.transpose(1, 0, 2).reshape(len(basis.poses.t), -1))
-        root = vectors * np.sqrt(np.maximum(values, 0.0))
-        drawn = np.ascontiguousarray(seen.reshape(-1, NOISE_DRAWS, 6).transpose(1, 0, 2) @ root.T)
-        if self._jittered:
-            early = rng.standard_normal((len(basis.poses.t), NOISE_DRAWS))
-            drawn += np.stack([(basis.spread @ (each @ early)).T for each in self._jittered], axis=2)
-        return drawn
-
-    @cached_property
-    def windowed_acceleration_noise(self) -> tuple[Array, Array, Array]:
-        """(M, K, 6) each, windowed means of that noise, of its rate and of the rate's rate."""
-        rate = rate_matrix(self.basis.scene.t)
-        noise = self.acceleration_noise.transpose(1, 0, 2).reshape(len(rate.indptr) - 1, -1)
-        operators = (self._to_windows, self._to_windows @ rate, self._to_windows @ rate @ rate)
-        means = ((operator @ noise).reshape(len(self), NOISE_DRAWS, 6).transpose(1, 0, 2) for operator in operators)
-        first, second, third = (np.ascontiguousarray(mean) for mean in means)
-        return first, second, third
+    def kinematic_noise(self) -> KinematicNoise:
+        """Draws of what the noise of the poses and of their instants makes of the accelerations."""
+        basis = self.basis
+        jittered = [csr_array(basis.spread @ each) for each in self._jittered]
+        return draw_noise(basis.poses, csr_array(basis.spread @ basis.difference), jittered, basis.scene.t, self._to_windows)
 
     @cached_property
     def samples_per_row(self) -> float:
@@ -302,18 +286,6 @@ def _find_turning_columns(scene: Scene, phi: Array, *, known: bool) -> Array:
     m, still = scene.motion, np.zeros_like(scene.motion.g)
     by_axis = (cross(m.alpha, axis) + cross(m.omega, cross(m.omega, axis)) for axis in np.eye(3))
     return np.stack([wrench(Motion(still, a, still, still), phi) for a in by_axis], axis=2)
-
-
-def rate_matrix(t: Array) -> csr_array:
-    """(N, N), derivatives at times t (N,), by the two rows beside each (`numpy.gradient`)."""
-    step = np.diff(t)
-    before, after = step[:-1], step[1:]
-    weights = np.stack((-after / (before * (before + after)), (after - before) / (before * after), before / (after * (before + after))))
-    rows = np.arange(1, len(t) - 1)
-    data = np.concatenate(([-1.0 / step[0], 1.0 / step[0]], weights.T.ravel(), [-1.0 / step[-1], 1.0 / step[-1]]))
-    columns = np.concatenate(([0, 1], (rows[:, None] + [-1, 0, 1]).ravel(), [len(t) - 2, len(t) - 1]))
-    counts = np.concatenate(([0, 2], np.full(len(rows), 3), [2]))
-    return csr_array((data, columns, np.cumsum(counts)), shape=(len(t), len(t)))
 
 
 def window_rows(poses: Poses, t: Array, every: float = 1.0) -> Rows:

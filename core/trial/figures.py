@@ -16,6 +16,8 @@ from core.trial.judgement import CLEAR_SIGMA, SIZED_SIGMA, TIE_SIGMA, counts, fo
 from core.trial.outcome import TrialOutcome
 
 Z95 = 1.959964
+SWINGS = frozenset(("payload_loose", "tool_flexibility"))
+"""Faults by which the payload is no rigid body."""
 DETERMINED = 0.1
 """A parameter counts for the error when its stated uncertainty is at most this share of it."""
 RIDGE = 0.05
@@ -145,14 +147,17 @@ class PayloadErrors:
 
 
 def payload_errors(outcomes: Sequence[TrialOutcome]) -> PayloadErrors:
-    """Of trials with a fault that were answered rightly, counted or not."""
+    """Of trials with a fault that were answered rightly, counted or not; of a load that swings the mass alone, the rest depends on how it
+    hangs."""
     rows = []
     inside: list[bool] = []
     for o in outcomes:
         if o.payload is None or not o.sealed.ids or not right(o):
             continue
         true, before, after, std = (np.array(x) for x in (o.payload.true, o.payload.before, o.payload.after, o.payload.after_std))
-        size = sizes(true)
+        seen = slice(1) if SWINGS & set(o.sealed.ids) else slice(None)
+        size = sizes(true)[seen]
+        true, before, after, std = true[seen], before[seen], after[seen], std[seen]
         rows.append([float(np.sqrt(np.mean((x / size) ** 2))) for x in (before - true, after - true, std)])
         inside += (np.abs(after - true) <= Z95 * std).tolist()
     before_, after_, stated = np.median(rows, axis=0) if rows else np.full(3, np.nan)

@@ -196,7 +196,7 @@ def test_what_closes_nothing_is_refused_with_the_figures(completed: Cell, place:
     [
         ("time_delya", "'time_delay', if that is what was meant"),
         ("sensor_noise", "does not act on the wrench"),
-        ("time_delay+base_tilt+sensor_gain", "3 effects at once"),
+        ("time_delay+base_tilt+sensor_gain+sensor_drift", "4 effects at once"),
         ("", "expected one of base_tilt"),
     ],
 )

@@ -7,8 +7,9 @@ from scipy.linalg import cholesky, solve_triangular
 from scipy.sparse import csr_array
 
 from core.estimation.banded import bands_of, factorise
+from core.gap.kinematic_noise import rate_matrix
 from core.gap.whitener import Whitener
-from core.gap.windows import rate_matrix, window_matrix
+from core.gap.windows import window_matrix
 
 
 def test_rows_are_windowed_means_with_the_inverse_factor_of_their_covariance() -> None:
