@@ -42,6 +42,8 @@ START_RAD = 0.005
 TAKEN_RAD = 4e-7
 """Beyond this what the controller commands is not what it was sent. Single precision loses at most a third of it; what goes unnoticed below
 it counts as a jerk of 400 rad/s3 to the controller, and of three times that in the period that follows."""
+MOST_LATE, LATELY = 0.5, 0.02
+"""A robot that does more than this share of its motion by itself is led by nobody; what a cycle counts in it, so that some fifty do."""
 WAIT, FOLLOW, BRAKE = "wait", "follow", "brake"
 
 
@@ -81,6 +83,7 @@ class FrankaSession(ControllerSession):
         self._zero_s, self._samples, self._missed_at_begin, self.lost = 0.0, 0, 0, 0
         self.external_torque, self._external_at_begin = np.zeros((2, JOINTS))
         self.estimate, self._estimate_at_begin = np.zeros((2, 6))
+        self._late = 0.0
         self._lock = threading.RLock()
         self._keeper: Keeper | None = None
 
@@ -93,7 +96,7 @@ class FrankaSession(ControllerSession):
             BadState, WrongKinematics: the flange is not where the cell has it, or moves otherwise.
         """
         with self._lock:
-            moves = not self._sent.rests
+            moves = not self._rests
             before, sample = self._newest(), self._next()
             if self._mode != BRAKE:
                 try:
@@ -170,6 +173,11 @@ class FrankaSession(ControllerSession):
             raise RuntimeError("outside of the session; use it inside `with session:`")
         return self._sample
 
+    @property
+    def _rests(self) -> bool:
+        """Whether nothing moves, nor is to."""
+        return self._sent.rests and self._path.rests and not self._difference.any
+
     def _open(self) -> FciLine:
         assert self._line is not None
         return self._line
@@ -225,7 +233,7 @@ class FrankaSession(ControllerSession):
             raise NotConnected("franka-start", host=host, value=apart, limit=START_RAD)
         self._sample, self._answered, self._load, self._mode = sample, False, sample.load, WAIT
         self._sent = self._path = Steps(sample.q_d)
-        self._q_cmd, self._difference = sample.q_d, Difference(JOINTS)
+        self._q_cmd, self._difference, self._late = sample.q_d, Difference(JOINTS), 0.0
 
     def _check_begun(self, answer: bytes) -> None:
         """Raises NotConnected where the controller has not begun the motion, or has ended it at once."""
@@ -261,7 +269,9 @@ class FrankaSession(ControllerSession):
         self.missed = self._open().missed - self._missed_at_begin
         if not runs(sample):
             return
-        if np.abs(sample.q_d - self._sent.q).max() > TAKEN_RAD:
+        late = bool(np.abs(sample.q_d - self._sent.q).max() > TAKEN_RAD)
+        self._late += LATELY * (late - self._late)
+        if late:
             self.lost += 1
             self._sent = Steps(sample.q_d, sample.dq_d, sample.ddq_d)
             if self._mode == FOLLOW and not self._braking:
@@ -276,7 +286,7 @@ class FrankaSession(ControllerSession):
         if not runs(sample):
             self._braking.clear()
             return
-        if not self._braking and not self._sent.rests:
+        if not self._braking and not self._rests:
             self._brake()
         q = self._braking.popleft() if self._braking else self._sent.q
         self._send(self._sent.next(q), finished=self._mode == BRAKE and not self._braking)
@@ -301,6 +311,8 @@ class FrankaSession(ControllerSession):
         elapsed = sample.t - before.t
         if moves and elapsed > STARVED_S:
             raise ControllerStopped("franka-starved", value=elapsed, limit=STARVED_S)
+        if self._late > MOST_LATE:
+            raise ControllerStopped("franka-often-late", value=self._late, limit=MOST_LATE)
         if not np.array_equal(sample.load, self._load):
             raise ControllerStopped("franka-load-changed", value=float(sample.load[0]), limit=float(self._load[0]))
         self._samples += 1
@@ -334,16 +346,16 @@ class FrankaSession(ControllerSession):
         """Answers in the place of a control loop that is away, an arm that stands or brakes; one that is led stays with its controller's
         watchdog."""
         with self._lock:
-            try:
-                while self._line is not None and (self._braking or self._sent.rests):
+            try:  # somebody may have come while the lock was waited for
+                while self._line is not None and self._keeper is not None and self._keeper.alone and (self._braking or self._rests):
                     sample = self._line.receive(self.period)
                     if sample is not None:
                         self._hear(sample)
                         self._answer(sample)
                     if not self._braking:
-                        return
+                        self._note()
             except (OSError, RobotStateLate):
-                pass  # whoever asks next finds the line lost, too
+                self._note()  # whoever asks next finds the line lost, too
 
     def _note(self) -> None:
         if self._keeper is not None:

@@ -31,6 +31,11 @@ class Keeper:
         """Somebody is there."""
         self._last = time.monotonic()
 
+    @property
+    def alone(self) -> bool:
+        """Whether nobody has been there for too long."""
+        return time.monotonic() - self._last > AWAY_S
+
     def end(self) -> None:
         """It looks no more."""
         self._ended.set()
@@ -39,6 +44,5 @@ class Keeper:
 
     def _keep(self) -> None:
         while not self._ended.wait(LOOK_S):
-            if time.monotonic() - self._last > AWAY_S:
-                self.note()
+            if self.alone:
                 self._attend()

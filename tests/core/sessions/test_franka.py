@@ -274,6 +274,15 @@ def test_commands_that_get_lost_on_the_way_are_made_up_for_without_a_jump(bench)
     np.testing.assert_allclose(bench.where(), states[-1].q_cmd, atol=2e-3)
 
 
+def test_a_line_on_which_most_commands_come_too_late_ends_the_motion_or_never_begins_it(bench):
+    bench.server.jitter_s = 0.02
+    bench.server.patience_s = 0.001
+    with pytest.raises(ControllerStopped, match=r"too late|no smooth way back|had no command"), bench.alone() as session:
+        move(session, bench.cell, seconds=3.0)
+    bench.server.jitter_s = 0.0
+    Conformance.check_standing(bench)
+
+
 def test_a_robot_that_stands_is_kept_while_nobody_asks_in_its_motion_and_after_a_stop_without_one(bench):
     with bench.alone() as session:
         target = move(session, bench.cell)[-1].q_cmd
