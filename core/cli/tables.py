@@ -10,8 +10,8 @@ from core.cli.terminal import find_wording
 from core.estimation.budget import REPEATABILITY, TITLES
 from core.estimation.budget_part import BudgetPart
 from core.estimation.result import Result
-from core.gap.answer import SIDES, Also, Diagnosis, Experiment
-from core.gap.instruction import Instruction, rank_explanations
+from core.gap.answer import SIDES, Also, Diagnosis, Experiment, Value
+from core.gap.instruction import Instruction, find_advice, rank_explanations
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
 from core.report.verification_words import verification_sentence
 from core.words.message import Message
@@ -134,7 +134,7 @@ def verification_lines(result: Result) -> list[str]:
 
 
 def diagnosis_table(diagnosis: Diagnosis) -> Table:
-    """The effects that may explain the gap, the most probable first."""
+    """The effects, alone or several at once, that may explain the gap, the most probable first."""
     words, gap = find_wording(), diagnosis.gap
     title = words.say("result-diagnosis-title", verdict=VERDICTS[diagnosis.verdict], summary=diagnosis.summary)
     table = Table(title=title, caption="" if gap is None else words.say("result-gap", before=gap.before, after=gap.after))
@@ -142,17 +142,23 @@ def diagnosis_table(diagnosis: Diagnosis) -> Table:
     for heading in (words.say("result-probability"), words.say("result-gap-after"), words.say("result-closure")):
         table.add_column(heading, justify="right")
     table.add_column(words.say("result-parameters"))
-    for effect in diagnosis.effects[:SHOWN_EFFECTS]:
-        fitted = list(effect.parameters.items())[:SHOWN_PARAMETERS]
-        values = ", ".join(f"{name} {number(v.value, 4)} ± {number(v.std, 2)}" for name, v in fitted)
-        more = len(effect.parameters) - SHOWN_PARAMETERS
-        values = words.say("result-more-parameters", parameters=values, count=more) if more > 0 else values
-        shares = (format_decimals(share, 3) for share in (effect.probability, effect.gap_after, effect.closure))
-        table.add_row(effect.id, *shares, values)
+    rows = [(e.probability, e.gap_after, e.closure, e.id, _say_parameters(e.parameters, words)) for e in diagnosis.effects]
+    for pair in diagnosis.pairs:
+        values = "; ".join(_say_parameters(parameters, words) for parameters in pair.parameters.values())
+        rows.append((pair.probability, pair.gap_after, pair.closure, " + ".join(pair.ids), values))
+    for *shares, name, said in sorted(rows, key=lambda row: -row[0])[:SHOWN_EFFECTS]:
+        table.add_row(name, *(format_decimals(share, 3) for share in shares), said)
     if diagnosis.effects:
         table.add_row(words.say("result-no-effect"), format_decimals(diagnosis.none_probability, 3), "", "", "")
         table.add_row(words.say("result-unknown-effect"), format_decimals(diagnosis.unknown_probability, 3), "", "", "")
     return table
+
+
+def _say_parameters(parameters: dict[str, Value], words: Wording) -> str:
+    """The first few, and how many more there are."""
+    values = ", ".join(f"{name} {number(v.value, 4)} ± {number(v.std, 2)}" for name, v in list(parameters.items())[:SHOWN_PARAMETERS])
+    more = len(parameters) - SHOWN_PARAMETERS
+    return words.say("result-more-parameters", parameters=values, count=more) if more > 0 else values
 
 
 def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:
@@ -168,14 +174,9 @@ def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:
     lines += [words.say("result-minor", effect=minor.id, seen=minor.message) for minor in diagnosis.minor]
     lines += [words.quote(diagnosis.consequence)] if diagnosis.consequence else []
     if diagnosis.verdict in ("explained", "ambiguous"):
-        lines += [words.say("result-to-do", advice=advice) for advice in _find_advice(diagnosis)]
+        best = [ids for _, ids in rank_explanations(diagnosis)[:1]]
+        lines += [words.say("result-to-do", advice=advice) for ids in best for advice in find_advice(diagnosis, ids).values()]
     return lines + [words.say("result-not-looked-at", limit=limit) for limit in diagnosis.limits]
-
-
-def _find_advice(diagnosis: Diagnosis) -> list[Message]:
-    """Of each effect of the most probable explanation."""
-    advice = {effect.id: effect.advice for effect in diagnosis.effects}
-    return [advice[name] for _, names in rank_explanations(diagnosis)[:1] for name in names if name in advice]
 
 
 def _instruction_lines(instruction: Instruction, words: Wording) -> list[str]:

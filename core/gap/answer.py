@@ -83,6 +83,7 @@ class Pair(DiagnosisPart):
     gap_after: float = Field(description="What is left of the gap with all of them, in multiples of the noise (rms).", examples=[1.05])
     closure: float = Field(description="Share of the gap that goes away with all of them, 0 to 1.", examples=[0.98])
     parameters: dict[str, dict[str, Value]] = Field(default_factory=dict, description="Fitted parameters by effect and name.")
+    advice: dict[str, Message] = Field(default_factory=dict, description="What to do about each effect, as it is beside the others.")
     addable: bool = Field(default=False, description="Whether the cell's twin would take all of them.")
     why_not: MessageIfAny = Field(default=None, description="What stands against that; null where nothing does.")
     covariance: dict[str, Triangle] = Field(

@@ -155,7 +155,7 @@ def explain(evidence: Evidence, fit: EffectFit, probability: float) -> Explanati
 def explain_both(evidence: Evidence, fit: EffectFit, probability: float) -> Pair:
     """The same of several effects at once."""
     windows, against = evidence.windows, why_not_addable(evidence, fit)
-    values = iter(describe_values(fit).items())
+    values, scene = iter(describe_values(fit).items()), windows.basis.scene.with_phi(fit.phi)
     counts = [(effect, sum(p.shown for p in effect.parameters(windows.basis.scene))) for effect in fit.effects]
     return Pair(
         ids=tuple(effect.id for effect in fit.effects),
@@ -163,6 +163,7 @@ def explain_both(evidence: Evidence, fit: EffectFit, probability: float) -> Pair
         gap_after=gap_of(windows, fit),
         closure=closure_of(windows, evidence.nominal, fit)[0],
         parameters={effect.id: dict(islice(values, count)) for effect, count in counts},
+        advice={effect.id: effect.advice(scene, fit.theta[rows]) for effect, rows in split_parameter_rows(evidence, fit)},
         addable=against is None,
         why_not=against,
         covariance=_covariances(evidence, fit) if against is None else {},

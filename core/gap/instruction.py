@@ -202,6 +202,14 @@ def rank_explanations(diagnosis: Diagnosis) -> list[tuple[float, tuple[str, ...]
     return sorted([*singles, *pairs], key=lambda each: -each[0])
 
 
+def find_advice(diagnosis: Diagnosis, ids: tuple[str, ...]) -> dict[str, Message]:
+    """What to do about each effect of an explanation, as large as it is in that."""
+    alone = {effect.id: effect.advice for effect in diagnosis.effects}
+    beside = next((pair.advice for pair in diagnosis.pairs if pair.ids == ids), {})
+    advice = alone | beside
+    return {name: advice[name] for name in ids if name in advice}
+
+
 def _find_best(diagnosis: Diagnosis) -> list[tuple[str, Values]]:
     """The effects of the most probable explanation with their parameters."""
     ranked = rank_explanations(diagnosis)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from core.array import Array
 from core.effects.sides import Side
 from core.gap.answer import Also, Diagnosis, GapPart, JointGap, Minor, Tied, Where
-from core.gap.instruction import Instruction, Level
+from core.gap.instruction import Instruction, Level, find_advice
 from core.gap.limits import GAP
 from core.payload.channels import CHANNELS
 from core.report.charts import gap_chart, overlay_chart
@@ -184,11 +184,12 @@ def _to_do_about_the_wrench(diagnosis: Diagnosis, titles: dict[str, str], words:
         return [words.say("report-gap-add-none-look", channel=where.channel, phase=name_motion(where.phase, words))]
     first = find_leading_explanation(diagnosis, words)
     ids = () if first is None else first.ids
+    own = find_advice(diagnosis, ids)
     if diagnosis.verdict == "explained":
-        return [sentence(effect.advice, words) for effect in diagnosis.effects if effect.id in ids]
+        return [sentence(advice, words) for advice in own.values()]
     tied = {name for tie in diagnosis.indistinguishable for joined in tie.ids for name in joined.split("+")}
     likely = [effect for effect in diagnosis.effects if effect.id in tied or effect.id in ids or effect.probability > LIKELY]
-    advice = [(titles[effect.id], sentence(effect.advice, words)) for effect in likely[:NAMED]]
+    advice = [(titles[effect.id], sentence(own.get(effect.id, effect.advice), words)) for effect in likely[:NAMED]]
     return [_settle(diagnosis, words), *(words.say("report-gap-if-it-is", effect=title, advice=what) for title, what in advice)]
 
 

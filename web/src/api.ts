@@ -7153,6 +7153,13 @@ export interface components {
                 };
             };
             /**
+             * Advice
+             * @description What to do about each effect, as it is beside the others.
+             */
+            advice?: {
+                [key: string]: components["schemas"]["Message"];
+            };
+            /**
              * Addable
              * @description Whether the cell's twin would take all of them.
              * @default false

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from io import StringIO
+
 import numpy as np
 import pytest
+from rich.console import Console
 from threadpoolctl import threadpool_limits
 
+from core.cli.tables import diagnosis_table
 from core.effects.drift_that_wanders import wanders_in_holds
 from core.effects.effect import View
 from core.effects.library import library
 from core.effects.sensor_noise import SensorNoise
+from core.gap.answering import answer
 from core.gap.basis import basis_of
 from core.gap.closure import gap_of
 from core.gap.effect_fit import fit_nominal
 from core.gap.evidence import gather
 from core.gap.fit_all import one_by_one
+from core.gap.instruction import find_advice
 from core.gap.windows import Windows
 from core.recording.recording import Recording
 from tests.foreign_recordings import Condition, make
@@ -60,10 +66,17 @@ def test_an_arm_that_speeds_up_at_the_end_of_a_hold_is_no_noise_of_the_sensor() 
 def test_a_tilt_a_delay_and_a_drift_at_once_are_named_though_others_bend_further_alone() -> None:
     condition = Condition(tilt_rad=0.5 * DEGREE, delay_s=4e-3, drift_n=0.3)
     names = ("base_tilt", "time_delay", "sensor_drift", "joint_offset", "sensor_offset_step", "cable_drag")
-    windows = Windows(basis_of(make(condition, 3).recording))
+    recording = make(condition, 3).recording
+    windows = Windows(basis_of(recording))
     with threadpool_limits(1):
         evidence = gather(windows, [effect for effect in library() if effect.id in names], one_by_one)
     assert evidence.verdict == "explained"
     assert {effect.id for effect in evidence.best.effects} == {"base_tilt", "time_delay", "sensor_drift"}
     assert gap_of(windows, evidence.best) < 1.05
     assert gap_of(windows, evidence.nominal) > 2.0
+    told = answer(recording, evidence)
+    tilt, advice = told.pairs[0].parameters["base_tilt"], find_advice(told, told.pairs[0].ids)
+    assert advice["base_tilt"].parameters["first_rad"] == tilt["about_x_rad"].value  # as it is beside the others
+    shown = Console(width=200, file=StringIO())
+    shown.print(diagnosis_table(told))
+    assert "base_tilt + time_delay + sensor_drift" in shown.file.getvalue()

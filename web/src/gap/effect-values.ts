@@ -48,10 +48,10 @@ export function candidatesOf(diagnosis: Diagnosis): Candidate[] {
     interval: closure_interval,
     parameters: { [id]: parameters },
   }));
-  const both = pairs.map(({ ids, probability, closure, parameters = {}, ...rest }) => {
+  const both = pairs.map(({ ids, probability, closure, parameters = {}, advice: beside = {}, ...rest }) => {
     const parts = effects.filter(({ id }) => ids.includes(id));
     const stages = parts.map(({ stage }) => stage);
-    const advice = parts.map((each) => each.advice);
+    const advice = parts.map((each) => beside[each.id] ?? each.advice);
     const said = { id: ids.join('+'), probability, closure, interval: null, stages, advice, parameters };
     return { ...said, ...takenBy(rest) };
   });
