@@ -1,18 +1,27 @@
 """How long a diagnosis takes: the first screen, the full answer, and how both grow with the recording and the number of effects.
 
-python -m bench.diagnosis
+python -m bench.diagnosis [--long SECONDS]
+
+With `--long` a recording of so many seconds at 500 Hz, of another generator's arm, its wrench 10 ms late: time and memory.
 """
 
 from __future__ import annotations
 
+import argparse
+import resource
+import sys
 import time
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from core.effects.library import library
 from core.events import drive
 from core.gap.basis import basis_of
+from core.gap.diagnosis import diagnose
 from core.gap.effect_fit import fit_nominal
 from core.gap.evidence import gather
 from core.gap.residual import Residual
@@ -22,6 +31,7 @@ from core.procedure.identify import carry_out
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
 from core.trial import plan_each_payload
+from tests.foreign_recordings import make_long
 
 
 def recorded() -> Recording:
@@ -38,8 +48,28 @@ def thinned(recording: Recording, rows: slice) -> Recording:
     return replace(recording, **{name: values[rows] for name in columns if (values := getattr(recording, name)) is not None})
 
 
+def diagnose_long(seconds: float, rate_hz: float = 500.0, late_s: float = 0.01) -> None:
+    """Prints what a long recording takes."""
+    pieces = list(make_long(seconds, rate_hz, 0).pieces)
+    t, wrench, q = (np.concatenate([np.asarray(getattr(piece, name)) for piece in pieces]) for name in ("t", "wrench", "q"))
+    late = round(late_s * rate_hz)
+    wrench[late:] = wrench[:-late].copy()
+    began = time.perf_counter()
+    told = diagnose(replace(pieces[0], t=t, wrench=wrench, q=q))
+    took, inside = time.perf_counter() - began, resource.getrusage(resource.RUSAGE_CHILDREN)
+    fits_s, most = inside.ru_utime + inside.ru_stime, (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, inside.ru_maxrss)
+    print(f"{seconds:.0f} s: {told.verdict}, {took:.0f} s by the clock, {fits_s:.0f} s of processor time in fits")
+    print(f"memory {most[0] / 1e6:.2f} GB, and {most[1] / 1e6:.2f} GB in each process that fits")
+
+
 def main() -> None:
     """Prints the table."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--long", type=float, default=None, metavar="SECONDS")
+    seconds = parser.parse_args().long
+    if seconds is not None:
+        diagnose_long(seconds)
+        return
     whole = recorded()
     print(f"{'recording, s':>14}{'effects':>9}{'where, s':>10}{'full answer, s':>16}")
     for share in (0.5, 1.0):
