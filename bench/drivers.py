@@ -371,6 +371,8 @@ def main() -> None:
     parser.add_argument("--faults", type=int, default=20)
     parser.add_argument("--patience", type=float)
     given = parser.parse_args()
+    if unknown := sorted(set(given.robots) - set(ROBOTS)):
+        parser.error(f"no such robot: {', '.join(unknown)}; there are {', '.join(ROBOTS)}")
     for robot in (ROBOTS[name] for name in given.robots):
         for name in (robot.before | robot.during) if given.faults else ():
             found = Counter(move_with_fault(robot, name, seed) for seed in range(given.faults))
