@@ -67,7 +67,7 @@ def serve_ur(
     server = UrServer(arm, host, patience_s=patience)
     with _tell_no_address(host, UR_PORTS), server, _make_box(lambda: arm.samples[-1].wrench, loaded) if ati else nullcontext():
         if ati:
-            messages.print(find_wording().say("cli-fake-serves-ati", rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)
+            _say_box()
         _serve(server, arm, arm.model, arm.serial)
 
 
@@ -113,7 +113,7 @@ def serve_kuka(
     server = FriServer(arm, host, client=client, port=port)
     with _tell_no_address(host, f"{RDT_PORT}, {PAGES_PORT}"), server, _make_box(lambda: arm.samples[-1].wrench, loaded):
         messages.print(find_wording().say("cli-fake-sends", host=host, client=client, port=str(port), period=period), soft_wrap=True)
-        messages.print(find_wording().say("cli-fake-serves-ati", rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)
+        _say_box()
         _wait_for_the_end(server, arm)
 
 
@@ -139,7 +139,7 @@ def serve_franka(
         messages.print(
             find_wording().say("cli-fake-serves-franka", host=host, port=str(port), model=arm.model, version=server_version), soft_wrap=True
         )
-        messages.print(find_wording().say("cli-fake-serves-ati", rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)
+        _say_box()
         _wait_for_the_end(server, arm)
 
 
@@ -152,6 +152,11 @@ def _tell_no_address(host: str, ports: str) -> Iterator[None]:
         raise BadInput("--port", "cli-fake-not-allowed", host=host) from error
     except OSError as error:
         raise BadInput("--host", "cli-fake-no-address", host=host, reason=error.strerror or "", ports=ports) from error
+
+
+def _say_box() -> None:
+    """Where the sensor on the flange answers."""
+    messages.print(find_wording().say("cli-fake-serves-ati", rdt=str(RDT_PORT), pages=str(PAGES_PORT)), soft_wrap=True)
 
 
 def _serve(server: PacedServer, arm: UrArm | XarmArm, model: str, serial: str) -> None:

@@ -126,7 +126,7 @@ class FrankaServer(PacedServer):
 
     def _report(self, now: float) -> None:
         if self._to is not None:
-            self._post(self._states, self.arm.state(), now)
+            self._post_datagram(self._states, self.arm.state(), now)
         self._await_answer(now)
 
     def _expects_answers(self) -> bool:
@@ -159,16 +159,6 @@ class FrankaServer(PacedServer):
     def _say(self, data: bytes) -> None:
         if self._client is not None:
             self._send(self._client, data)
-
-    def _post(self, line: socket.socket, data: bytes, now: float) -> None:
-        """Sends a state, as late as the line is; what gets lost is not sent again, and nothing overtakes."""
-        if self.cut or self._random.random() < self.loss:
-            return
-        if self.jitter_s > 0.0:
-            behind = max([at for at, _, _ in self._delayed], default=0.0)
-            self._delayed.append((max(now + self._random.uniform(0.0, self.jitter_s), behind), line, data))
-        else:
-            self._send(line, data)
 
     def _send(self, line: socket.socket, data: bytes) -> None:
         if line is not self._states:

@@ -51,7 +51,7 @@ class FriServer(PacedServer):
         return self._heard
 
     def _report(self, now: float) -> None:
-        self._post(self._line, self.arm.message(), now)
+        self._post_datagram(self._line, self.arm.message(), now)
         self._await_answer(now)
 
     def _forget(self, line: socket.socket) -> None:
@@ -71,16 +71,6 @@ class FriServer(PacedServer):
         self._heard = True
         if new:
             self._take_answer(new=self.arm.obeys)
-
-    def _post(self, line: socket.socket, data: bytes, now: float) -> None:
-        """Sends, as late as the line is; what gets lost is not sent again, and nothing overtakes."""
-        if self.cut or self._random.random() < self.loss:
-            return
-        if self.jitter_s > 0.0:
-            behind = max([at for at, _, _ in self._delayed], default=0.0)
-            self._delayed.append((max(now + self._random.uniform(0.0, self.jitter_s), behind), line, data))
-        else:
-            self._send(line, data)
 
     def _send(self, line: socket.socket, data: bytes) -> None:
         try:

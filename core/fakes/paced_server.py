@@ -56,7 +56,7 @@ class PacedServer(ABC):
 
     @abstractmethod
     def _report(self, now: float) -> None:
-        """Sends what a period sends, by `_post` and `_send`."""
+        """Sends what a period sends, by `_post`, `_post_datagram` and `_send`."""
 
     @abstractmethod
     def _expects_answers(self) -> bool:
@@ -136,6 +136,16 @@ class PacedServer(ABC):
         behind = max([at for at, other, _ in self._delayed if other is line], default=0.0)
         if self.cut or wait > 0.0 or behind > 0.0:  # what waits and is due now is sent by the next look, and nothing overtakes it
             self._delayed.append((max(now + wait, behind), line, data))
+        else:
+            self._send(line, data)
+
+    def _post_datagram(self, line: socket.socket, data: bytes, now: float) -> None:
+        """Sends a datagram, as late as the line is; what gets lost is not sent again, and nothing overtakes."""
+        if self.cut or self._random.random() < self.loss:
+            return
+        if self.jitter_s > 0.0:
+            behind = max([at for at, _, _ in self._delayed], default=0.0)
+            self._delayed.append((max(now + self._random.uniform(0.0, self.jitter_s), behind), line, data))
         else:
             self._send(line, data)
 

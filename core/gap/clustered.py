@@ -25,12 +25,12 @@ def enlarge_covariance(covariance: Array, columns: Array, residual: Array, t: Ar
     """
     seconds = np.floor((t - t[0]) / CLUSTER_S).astype(np.int64)
     windows = (columns * residual[:, None]).reshape(-1, len(t), columns.shape[1]).sum(axis=0)
-    robust = [_spread(windows @ covariance, of) for of in (seconds, motion)]
+    robust = [_find_spread(windows @ covariance, of) for of in (seconds, motion)]
     raised = np.sqrt(np.maximum(1.0, np.maximum(*robust) / np.diag(covariance)))
     return np.asarray(covariance * np.outer(raised, raised))
 
 
-def _spread(moved: Array, cluster: NDArray[np.int64]) -> Array:
+def _find_spread(moved: Array, cluster: NDArray[np.int64]) -> Array:
     """(n,), variance by what each cluster (K,) moves the parameters (K, n) together; nothing where there is one alone."""
     starts = np.flatnonzero(np.diff(cluster, prepend=cluster[0] - 1))
     count = len(starts)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -16,14 +15,12 @@ from core.sessions.franka_arm import link_of, reach
 from core.sessions.franka_line import FciLine
 from core.sessions.franka_messages import Command, Sample, write_load
 from core.sessions.franka_readiness import check_ready
-from core.sessions.set_payload import SetPayload
+from core.sessions.set_payload import STANDING_S, SetPayload, await_taken, check_standing
 
 LINK_S = 1.0
 """Without a state for this long the line counts as lost."""
-STANDING_S, STANDING_RAD, STANDING_RAD_S = 0.25, 0.0005, 1e-4
-"""A robot stands when no joint goes farther than this within that time, and none is to go faster."""
-TAKEN_S = 3.0
-"""How long the controller may take to report what was set."""
+SLOW_RAD_S = 1e-4
+"""The commanded speed of an arm that stands is below this."""
 
 
 def read_payload(cell: Cell) -> SetPayload:
@@ -58,7 +55,7 @@ def write_payload(cell: Cell, wanted: SetPayload, *, before: SetPayload) -> SetP
             _, answer = line.ask(Command.SET_LOAD, write_load(wanted.mass_kg, np.array(wanted.com_m), _matrix(wanted.inertia_kg_m2)))
             if answer[0] != 0:
                 raise NotConnected("franka-load-refused", host=host, status=answer[0])
-            return _read_back(line, wanted, host)
+            return await_taken(lambda: _payload_of(_receive(line)), wanted, host)
         except OSError as error:
             raise PayloadNotTaken("session-payload-unknown", host=host, reason=str(error)[:120]) from error
 
@@ -73,10 +70,7 @@ def _standing(cell: Cell) -> Iterator[tuple[FciLine, Sample]]:
         except OSError as error:
             raise NotConnected("session-not-reached", host=host, reason=str(error)[:120]) from error
         check_ready(samples[-1], host)
-        q = np.array([sample.q for sample in samples])
-        wanted = np.abs([sample.dq_d for sample in samples]).max()
-        if float(np.ptp(q, axis=0).max()) > STANDING_RAD or float(wanted) > STANDING_RAD_S:
-            raise NotConnected("session-payload-moves", host=host)
+        check_standing(np.array([one.q for one in samples]), np.array([one.dq_d for one in samples]), SLOW_RAD_S, host)
         yield line, samples[-1]
 
 
@@ -108,19 +102,3 @@ def _payload_of(sample: Sample) -> SetPayload:
 def _matrix(inertia: tuple[float, ...]) -> Array:
     xx, yy, zz, xy, xz, yz = inertia
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-
-
-def _read_back(line: FciLine, wanted: SetPayload, host: str) -> SetPayload:
-    """Waits until the controller reports it.
-
-    Raises:
-        OSError: no state comes any more.
-        PayloadNotTaken: it reports something else.
-    """
-    until = time.monotonic() + TAKEN_S
-    while True:
-        found = _payload_of(_receive(line))
-        if not wanted.differing(found):
-            return found
-        if time.monotonic() > until:
-            raise PayloadNotTaken("session-payload-differs", host=host, differences=wanted.describe_differences(found))

@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable
 from typing import NamedTuple
 
+import numpy as np
+
+from core.array import Array
+from core.errors import NotConnected, PayloadNotTaken
 from core.words.message import Message
 
 SET_NAMES = ("m", "x", "y", "z", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz")
@@ -11,6 +17,12 @@ SET_UNITS = ("kg", *["m"] * 3, *["kg m2"] * 6)
 RESOLUTION = (1e-4, *[1e-5] * 3, *[1e-6] * 6)
 """How far what is read back may be from what was set, in `SET_UNITS`. No public document states how a controller rounds: these are
 above what single precision and nine digits lose and below what any identification tells."""
+
+
+STANDING_S, STANDING_RAD = 0.25, 0.0005
+"""A robot stands when no joint goes farther than this within that time, and none is to."""
+TAKEN_S = 3.0
+"""How long a controller may take to report what was set."""
 
 
 class SetPayload(NamedTuple):
@@ -41,6 +53,37 @@ class SetPayload(NamedTuple):
             Message.of("session-payload-difference", name=SET_NAMES[k], sent=self.numbers[k], read=other.numbers[k], unit=SET_UNITS[k])
             for k in self.differing(other)
         ]
+
+
+def check_standing(q: Array, wanted_rad_s: Array, slow_rad_s: float, host: str) -> None:
+    """Nothing where a robot stood during `STANDING_S`.
+
+    Args:
+        q: (N, n), joint positions, rad. wanted_rad_s: (N, n), speeds that it is to have; below `slow_rad_s` they are none.
+
+    Raises:
+        NotConnected: it moves.
+    """
+    if float(np.ptp(q, axis=0).max()) > STANDING_RAD or float(np.abs(wanted_rad_s).max()) > slow_rad_s:
+        raise NotConnected("session-payload-moves", host=host)
+
+
+def await_taken(read: Callable[[], SetPayload], wanted: SetPayload, host: str) -> SetPayload:
+    """Waits until the controller reports it.
+
+    Args:
+        read: what the controller reports next; raises OSError where it reports no more.
+
+    Raises:
+        PayloadNotTaken: it reports something else.
+    """
+    until = time.monotonic() + TAKEN_S
+    while True:
+        found = read()
+        if not wanted.differing(found):
+            return found
+        if time.monotonic() > until:
+            raise PayloadNotTaken("session-payload-differs", host=host, differences=wanted.describe_differences(found))
 
 
 def write_urscript(payload: SetPayload) -> str:

@@ -5,7 +5,6 @@ It is written by a secondary program, which runs beside the one that is loaded a
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -16,7 +15,7 @@ from core.cell.session import UniversalRobot
 from core.errors import NotConnected, PayloadNotTaken
 from core.robot.model import RobotModel
 from core.sessions.rtde import Rtde, RtdeError, Value
-from core.sessions.set_payload import SetPayload, write_urscript
+from core.sessions.set_payload import STANDING_S, SetPayload, await_taken, check_standing, write_urscript
 from core.sessions.ur_connection import check_arm, reach
 from core.sessions.ur_controller import STOPPED, Secondary
 from core.sessions.ur_readiness import check_ready
@@ -25,10 +24,8 @@ from core.sessions.ur_servo import read_number, read_vector
 RATE_HZ = 125.0
 LINK_S = 1.0
 """Without a sample for this long the line counts as lost."""
-STANDING_S, STANDING_RAD = 0.25, 0.0005
-"""A robot stands when no joint goes farther than this within that time, and none is to."""
-TAKEN_S = 3.0
-"""How long the controller may take to report what was set."""
+SLOW_RAD_S = 1e-6
+"""The commanded speed of an arm that stands is below this."""
 OUTPUTS = (
     "timestamp", "actual_q", "target_qd", "actual_TCP_pose", "tcp_offset", "robot_mode", "safety_mode", "runtime_state", "speed_scaling",
     "payload", "payload_cog", "payload_inertia",
@@ -69,7 +66,7 @@ def write_payload(cell: Cell, wanted: SetPayload, *, before: SetPayload) -> SetP
             raise NotConnected("session-not-reached", host=host, reason=str(error)[:120]) from error
         try:
             secondary.run(f"sec heft_payload():\n  {write_urscript(wanted)}\nend\n")
-            return _read_back(rtde, wanted, host)
+            return await_taken(lambda: _report(rtde), wanted, host)
         except OSError as error:
             raise PayloadNotTaken("session-payload-unknown", host=host, reason=str(error)[:120]) from error
         finally:
@@ -121,9 +118,7 @@ def _receive(rtde: Rtde) -> list[dict[str, Value]]:
 
 def _check_standing(samples: list[dict[str, Value]], host: str) -> None:
     q = np.array([read_vector(sample, "actual_q") for sample in samples])
-    wanted = np.abs([read_vector(sample, "target_qd") for sample in samples]).max()
-    if float(np.ptp(q, axis=0).max()) > STANDING_RAD or float(wanted) > 1e-6:
-        raise NotConnected("session-payload-moves", host=host)
+    check_standing(q, np.array([read_vector(sample, "target_qd") for sample in samples]), SLOW_RAD_S, host)
     if any(read_number(sample, "runtime_state") != STOPPED for sample in samples):
         raise NotConnected("session-payload-program-runs", host=host)
 
@@ -132,20 +127,13 @@ def _payload_of(sample: dict[str, Value]) -> SetPayload:
     return SetPayload(read_number(sample, "payload"), read_vector(sample, "payload_cog"), read_vector(sample, "payload_inertia"))
 
 
-def _read_back(rtde: Rtde, wanted: SetPayload, host: str) -> SetPayload:
-    """Waits until the controller reports it.
+def _report(rtde: Rtde) -> SetPayload:
+    """What the next sample says of it.
 
     Raises:
         OSError: no sample comes any more.
-        PayloadNotTaken: it reports something else.
     """
-    until = time.monotonic() + TAKEN_S
-    while True:
-        try:
-            found = _payload_of(_receive(rtde)[-1])
-        except RtdeError as error:
-            raise ConnectionError(str(error)) from error
-        if not wanted.differing(found):
-            return found
-        if time.monotonic() > until:
-            raise PayloadNotTaken("session-payload-differs", host=host, differences=wanted.describe_differences(found))
+    try:
+        return _payload_of(_receive(rtde)[-1])
+    except RtdeError as error:
+        raise ConnectionError(str(error)) from error

@@ -6,7 +6,6 @@ it where it was stopped; the queue is empty by then.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -15,7 +14,7 @@ import numpy as np
 from core.cell.cell import Cell
 from core.errors import NotConnected, PayloadNotTaken
 from core.robot.model import RobotModel
-from core.sessions.set_payload import SetPayload
+from core.sessions.set_payload import STANDING_S, SetPayload, await_taken, check_standing
 from core.sessions.xarm_connection import Reached, check_arm, link_of, reach
 from core.sessions.xarm_line import SET_LOAD, SET_MODE, SET_STATE, pack_floats
 from core.sessions.xarm_readiness import GO, POSITION, READY, RESET, STOPPED, check_ready
@@ -23,10 +22,8 @@ from core.sessions.xarm_reports import METRE, FastReport, SlowReport, read_fast,
 
 LINK_S = 1.0
 """Without a report for this long the line counts as lost."""
-STANDING_S, STANDING_RAD, STANDING_RAD_S = 0.25, 0.0005, 1e-4
-"""A robot stands when no joint goes farther than this within that time, and none is to go faster."""
-TAKEN_S = 3.0
-"""How long the controller may take to report what was set."""
+SLOW_RAD_S = 1e-4
+"""The commanded speed of an arm that stands is below this."""
 
 
 def read_payload(cell: Cell) -> SetPayload:
@@ -60,7 +57,7 @@ def write_payload(cell: Cell, wanted: SetPayload, *, before: SetPayload) -> SetP
         try:
             with _made_ready(reached):
                 reached.control.ask(SET_LOAD, pack_floats(wanted.mass_kg, *(value / METRE for value in wanted.com_m)))
-                return _read_back(reached, wanted, host)
+                return await_taken(lambda: _receive(reached), wanted, host)
         except OSError as error:
             raise PayloadNotTaken("session-payload-unknown", host=host, reason=str(error)[:120]) from error
 
@@ -112,10 +109,7 @@ def _watch(reached: Reached) -> list[FastReport]:
 
 
 def _check_standing(samples: list[FastReport], host: str) -> None:
-    q = np.array([sample.q for sample in samples])
-    wanted = np.abs([sample.target_dq for sample in samples]).max()
-    if float(np.ptp(q, axis=0).max()) > STANDING_RAD or float(wanted) > STANDING_RAD_S:
-        raise NotConnected("session-payload-moves", host=host)
+    check_standing(np.array([sample.q for sample in samples]), np.array([sample.target_dq for sample in samples]), SLOW_RAD_S, host)
     for sample in samples:
         at_rest = sample.state in {STOPPED, RESET} or (sample.state == READY and sample.mode == POSITION)
         if sample.queued or not at_rest:
@@ -127,20 +121,13 @@ def _payload_of(slow: SlowReport) -> SetPayload:
     return SetPayload(mass, tuple(com))
 
 
-def _read_back(reached: Reached, wanted: SetPayload, host: str) -> SetPayload:
-    """Waits until the controller reports it.
+def _receive(reached: Reached) -> SetPayload:
+    """What the next report says of it.
 
     Raises:
         OSError: no report comes any more.
-        PayloadNotTaken: it reports something else.
     """
-    until = time.monotonic() + TAKEN_S
-    while True:
-        reports = reached.slow_line.receive(LINK_S)
-        if not reports:
-            raise TimeoutError("no report")
-        found = _payload_of(read_slow(reports[-1], reached.identity.axes))
-        if not wanted.differing(found):
-            return found
-        if time.monotonic() > until:
-            raise PayloadNotTaken("session-payload-differs", host=host, differences=wanted.describe_differences(found))
+    reports = reached.slow_line.receive(LINK_S)
+    if not reports:
+        raise TimeoutError("no report")
+    return _payload_of(read_slow(reports[-1], reached.identity.axes))

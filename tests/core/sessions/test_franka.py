@@ -16,8 +16,8 @@ from core.fakes.franka_arm import IDLE, JOINT_REFLEX, POSITION_LIMIT, FrankaArm
 from core.fakes.franka_server import FrankaServer
 from core.sessions.external_sensor import ExternalSensorSession
 from core.sessions.franka import FrankaSession
-from tests.core.sessions.conformance import Bench, Conformance, move
-from tests.core.sessions.lockstep import LockstepSensor, TrueTime
+from tests.core.sessions.conformance import Conformance, move
+from tests.core.sessions.datagram_bench import DatagramBench
 
 BENCH = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
 CELL = BENCH.model_copy(update={"robot": BENCH.robot.model_copy(update={"acceleration_rad_s2": (7.5,) * 7})})
@@ -26,24 +26,11 @@ PATIENCE_S = 1.0
 SENSOR = {"driver": "ati_net_ft", "host": "127.0.0.1"}
 
 
-class ArmTime(TrueTime):
-    """The arm's own time, a moment later, as far as nobody has waited for longer."""
+class FrankaBench(DatagramBench):
+    AWAY_S, SENSOR_HZ = 0.001, 2000.0
 
-    def __init__(self, arm: FrankaArm) -> None:
-        self._arm, self._waited = arm, 0.0
-
-    @property
-    def now(self) -> float:
-        return max(self._waited, 1000.0 + self._arm.t + 1e-4)
-
-    @now.setter
-    def now(self, value: float) -> None:
-        self._waited = value
-
-
-class FrankaBench(Bench):
     def __init__(self, server: FrankaServer) -> None:
-        self.server, self.arm = server, server.arm
+        super().__init__(server)
         self.said = {"driver": "franka_fci", "host": server.host, "model": self.arm.model, "sensor": SENSOR}
 
     @property
@@ -54,36 +41,12 @@ class FrankaBench(Bench):
         return CELL.model_copy(update={"session": FrankaRobot.model_validate(self.said | said)})
 
     def open(self, cell: Cell | None = None) -> ExternalSensorSession:
-        clock = ArmTime(self.arm)
-        sensor = LockstepSensor(clock, lambda _: -self.arm.samples[-1].wrench, rate_hz=2000.0)
+        sensor, clock = self.put_sensor()
         return ExternalSensorSession(FrankaSession(cell or self.cell), sensor, clock=clock)
 
     def alone(self, **said) -> FrankaSession:
         """Without a sensor, which costs a second of listening."""
         return FrankaSession(self.cell_with(**said))
-
-    def where(self):
-        return self.arm.q.copy()
-
-    def swap_joints(self) -> Cell:
-        self.arm.order[1:4] = [3, 2, 1]
-        return self.cell
-
-    def cut(self) -> None:
-        self.server.cut = True
-
-    def stay_away(self) -> None:
-        self.server.patience_s = 0.001
-        self.settle()
-
-    def settle(self) -> None:
-        """Nobody answers meanwhile, so the server's clock may go faster."""
-        t, self.server.period = self.arm.t, 0.1 * self.arm.period
-        until = time.monotonic() + 60.0
-        while self.arm.t < t + 1.0 and time.monotonic() < until:
-            time.sleep(0.01)
-        self.server.period = self.arm.period
-        assert self.arm.t >= t + 1.0
 
 
 @contextmanager

@@ -83,7 +83,7 @@ def test_a_controller_that_refuses_is_told(bench):
 
 
 def test_a_controller_that_keeps_something_else_is_told_with_both_values(bench, monkeypatch):
-    monkeypatch.setattr("core.sessions.franka_payload.TAKEN_S", 0.3)
+    monkeypatch.setattr("core.sessions.set_payload.TAKEN_S", 0.3)
     take = bench.arm.set_load
     monkeypatch.setattr(bench.arm, "set_load", lambda mass, com, inertia: take(round(mass, 1), com, inertia))
     with pytest.raises(PayloadNotTaken, match=r"m is 2\.8 kg where 2\.783 was sent\. Do not move"):

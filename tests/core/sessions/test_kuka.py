@@ -1,6 +1,5 @@
 """The driver of KUKA arms against a server that speaks their interface, with the virtual robot behind it."""
 
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import count
@@ -18,8 +17,8 @@ from core.fakes.fri_arm import COMMANDING_ACTIVE, FriArm
 from core.fakes.fri_server import FriServer
 from core.sessions.external_sensor import ExternalSensorSession
 from core.sessions.kuka import KukaSession
-from tests.core.sessions.conformance import Bench, Conformance, move
-from tests.core.sessions.lockstep import LockstepSensor, TrueTime
+from tests.core.sessions.conformance import Conformance, move
+from tests.core.sessions.datagram_bench import DatagramBench
 
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
 CARRIED = CELL.payloads["steel_block"].parameters
@@ -36,24 +35,11 @@ def read_pad(arm: FriArm) -> dict:
     return {"q_deg": np.degrees(PAD_RAD[arm.order]).tolist(), "xyz_mm": (1e3 * position).tolist(), "abc_deg": abc.tolist()}
 
 
-class ArmTime(TrueTime):
-    """The arm's own time, a moment later, as far as nobody has waited for longer."""
+class KukaBench(DatagramBench):
+    AWAY_S, SENSOR_HZ = 0.01, 1000.0
 
-    def __init__(self, arm: FriArm) -> None:
-        self._arm, self._waited = arm, 0.0
-
-    @property
-    def now(self) -> float:
-        return max(self._waited, 1000.0 + self._arm.t + 1e-4)
-
-    @now.setter
-    def now(self, value: float) -> None:
-        self._waited = value
-
-
-class KukaBench(Bench):
     def __init__(self, server: FriServer, listen: str, port: int) -> None:
-        self.server, self.arm = server, server.arm
+        super().__init__(server)
         self.said = {"driver": "kuka_fri", "host": server.host, "listen": listen, "port": port, "send_period_ms": 5, "sensor": SENSOR}
         if self.arm.version == 1:
             self.said["pad"] = read_pad(self.arm)
@@ -66,38 +52,18 @@ class KukaBench(Bench):
         return CELL.model_copy(update={"session": KukaRobot.model_validate(self.said | said)})
 
     def open(self, cell: Cell | None = None) -> ExternalSensorSession:
-        clock = ArmTime(self.arm)
-        sensor = LockstepSensor(clock, lambda _: -self.arm.samples[-1].wrench, rate_hz=1000.0)
+        sensor, clock = self.put_sensor()
         return ExternalSensorSession(KukaSession(cell or self.cell), sensor, clock=clock)
 
     def alone(self, **said) -> KukaSession:
         """Without a sensor, which costs a second of listening."""
         return KukaSession(self.cell_with(**said))
 
-    def where(self):
-        return self.arm.q.copy()
-
     def swap_joints(self) -> Cell:
-        self.arm.order[1:4] = [3, 2, 1]
+        super().swap_joints()
         if "pad" in self.said:
             self.said["pad"] = read_pad(self.arm)
         return self.cell
-
-    def cut(self) -> None:
-        self.server.cut = True
-
-    def stay_away(self) -> None:
-        self.server.patience_s = 0.01
-        self.settle()
-
-    def settle(self) -> None:
-        """Nobody answers meanwhile, so the server's clock may go faster."""
-        t, self.server.period = self.arm.t, 0.1 * self.arm.period
-        until = time.monotonic() + 60.0
-        while self.arm.t < t + 1.0 and time.monotonic() < until:
-            time.sleep(0.01)
-        self.server.period = self.arm.period
-        assert self.arm.t >= t + 1.0
 
 
 @contextmanager

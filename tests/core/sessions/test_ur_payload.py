@@ -95,7 +95,7 @@ def test_a_payload_that_somebody_else_has_set_meanwhile_is_left_alone(server):
 
 
 def test_a_controller_that_keeps_something_else_is_told_with_both_values(server, monkeypatch):
-    monkeypatch.setattr("core.sessions.ur_payload.TAKEN_S", 0.2)
+    monkeypatch.setattr("core.sessions.set_payload.TAKEN_S", 0.2)
     take = server.arm._set_payload
     monkeypatch.setattr(server.arm, "_set_payload", lambda m, cog, inertia: take(round(m, 1), cog, [*inertia[:3], 0.0, *inertia[4:]]))
     with pytest.raises(PayloadNotTaken, match=r"written: m is 2\.8 kg where 2\.783 was sent, Ixy is 0 kg m2 where -1\.2e-5"):
@@ -103,7 +103,7 @@ def test_a_controller_that_keeps_something_else_is_told_with_both_values(server,
 
 
 def test_a_controller_that_refuses_it_is_told(server, monkeypatch):
-    monkeypatch.setattr("core.sessions.ur_payload.TAKEN_S", 0.2)
+    monkeypatch.setattr("core.sessions.set_payload.TAKEN_S", 0.2)
     with pytest.raises(PayloadNotTaken, match=r"m is 0 kg where 2\.783"):
         write_payload(cell_at(HOST), WANTED._replace(inertia_kg_m2=(134.0, *[0.0] * 5)), before=NOTHING)
     assert has(server.arm) == [0.0] * 10

@@ -91,7 +91,7 @@ def test_a_payload_that_somebody_else_has_set_meanwhile_is_left_alone(server):
 
 
 def test_a_controller_that_keeps_something_else_is_told_with_both_values(server, monkeypatch):
-    monkeypatch.setattr("core.sessions.xarm_payload.TAKEN_S", 0.3)
+    monkeypatch.setattr("core.sessions.set_payload.TAKEN_S", 0.3)
     take = server.arm.set_load
     monkeypatch.setattr(server.arm, "set_load", lambda mass, com: take(round(mass, 1), com))
     with pytest.raises(PayloadNotTaken, match=r"m is 2\.8 kg where 2\.783 was sent\. Do not move"):
