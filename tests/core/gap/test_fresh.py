@@ -33,6 +33,21 @@ def test_a_sensor_that_is_asked_slowly_makes_no_gap_and_stands_beside_the_verdic
     assert [each.id for each in diagnosis.also if each.material] == ["sample_dropout"]
 
 
+@pytest.mark.parametrize("seed", [3, 4])
+def test_readings_that_are_held_at_random_leave_the_payload_as_sure_as_the_fresh_ones_make_it(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    body = payload("steel_block")
+    recording = record(run_of(repetitions=1, period=0.002), body, rng, Imperfections(resolution=None))
+    fresh = np.maximum.accumulate(np.where(rng.random(len(recording)) < 0.85, 0, np.arange(len(recording))))
+    cable = [effect for effect in library() if effect.id in ("cable_drag", "time_delay")]
+    diagnosis, _ = examine(replace(recording, wrench=recording.wrench[fresh]), cable, fit_all=one_by_one)
+    assert diagnosis.verdict == "no_gap"
+    assert diagnosis.payload is not None
+    std = diagnosis.payload.after.std[0]
+    assert std < 2e-3
+    assert diagnosis.payload.after.phi[0] == pytest.approx(body.mass, abs=3.0 * std)
+
+
 def test_behind_it_a_tilt_is_found_with_its_size() -> None:
     diagnosis, _ = examine(polled(6, 0.02), SOME, fit_all=one_by_one)
     best = diagnosis.effects[0]
