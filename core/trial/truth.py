@@ -149,7 +149,8 @@ def true_payload_of(cell: Cell, nominal: InertialParameters, faults: tuple[Fault
     """What the wrist sensor carries when the run begins, in its true axes about its true origin: what an ideal identification finds.
 
     A fault may have made the payload another one, or may have turned or shifted the sensor against it; what slips, falls off or is put
-    on later is as it was at the start. Loose parts count with the mass that hangs on the sensor, where they rest.
+    on later is as it was at the start. Loose parts count where their springs are relaxed, or at the point from which they hang: that is
+    where their weight acts, and what effects take them from.
 
     Args:
         nominal: the payload as the cell has it, sensor frame.
@@ -158,6 +159,10 @@ def true_payload_of(cell: Cell, nominal: InertialParameters, faults: tuple[Fault
     links = Links(arm, build_spec(arm, nominal, cell.gravity, Drives()), Setting(cell, nominal), faults)
     links.rest(np.array(cell.robot.home_rad))
     model, data = links.machine.model, links.machine.data
+    loose = model.jnt_bodyid >= links.machine.body("payload")
+    for start, kind in zip(model.jnt_qposadr[loose], model.jnt_type[loose], strict=True):
+        place = slice(start, start + (4 if kind == mujoco.mjtJoint.mjJNT_BALL else 1))
+        data.qpos[place] = model.qpos0[place]
     mujoco.mj_kinematics(model, data)
     mujoco.mj_comPos(model, data)
     site = data.site("ft")
@@ -165,8 +170,10 @@ def true_payload_of(cell: Cell, nominal: InertialParameters, faults: tuple[Fault
     phi = np.zeros(10)
     for body in _hanging_on(model, links.machine.body("payload")):
         axes = R.T @ data.ximat[body].reshape(3, 3)
-        inertia = axes @ np.diag(model.body_inertia[body]) @ axes.T
-        phi += InertialParameters.from_com(float(model.body_mass[body]), R.T @ (data.xipos[body] - origin), inertia).phi
+        inertia, place = axes @ np.diag(model.body_inertia[body]) @ axes.T, data.xipos[body]
+        if model.body_jntnum[body] and model.jnt_type[model.body_jntadr[body]] == mujoco.mjtJoint.mjJNT_BALL:  # turns nothing
+            inertia, place = np.zeros((3, 3)), data.xpos[body]
+        phi += InertialParameters.from_com(float(model.body_mass[body]), R.T @ (place - origin), inertia).phi
     return InertialParameters(phi)
 
 

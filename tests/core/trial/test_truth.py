@@ -19,6 +19,7 @@ from core.plant.faults.base import TiltedBase
 from core.plant.faults.encoders import EncoderOffsets
 from core.plant.faults.fault import Machine
 from core.plant.faults.joint_springs import ElasticJoints
+from core.plant.faults.loose import Pendulum, SprungPart
 from core.plant.faults.lowpass import Butterworth, FirstOrderFilter
 from core.plant.faults.mounting import ShiftedSensor, TurnedSensor, TurnedSensorWithPayload
 from core.plant.faults.payload import MassStep, Slip
@@ -154,6 +155,16 @@ def test_what_is_put_on_later_is_not_there_at_the_start_and_what_falls_off_is():
         found = true_payload_of(CELL, PAYLOAD, (MassStep(change, (0.05, 0.0, 0.1), 5.0, 0.0),))
         assert found.mass == pytest.approx(PAYLOAD.mass, rel=1e-9)
         assert found.com == pytest.approx(PAYLOAD.com, abs=1e-9)
+
+
+def test_what_hangs_counts_where_it_hangs_from_and_what_is_sprung_where_its_spring_is_relaxed():
+    sprung = true_payload_of(CELL, PAYLOAD, (SprungPart(0.3, (0.0, 1.0, 0.0), 2.5, 0.1),))
+    assert sprung.phi == pytest.approx(PAYLOAD.phi, rel=1e-6, abs=1e-7)
+    pivot = np.array([0.05, -0.03, 0.2])
+    hanging = true_payload_of(CELL, PAYLOAD, (Pendulum(0.3, 0.08, (0.05, -0.03, 0.2), 0.1),))
+    assert hanging.mass == pytest.approx(PAYLOAD.mass)
+    assert hanging.com == pytest.approx(0.7 * PAYLOAD.com + 0.3 * pivot, abs=1e-9)
+    assert np.all(hanging.inertia.diagonal() < PAYLOAD.inertia.diagonal() + 0.3 * PAYLOAD.mass * (pivot @ pivot))
 
 
 def test_a_mismatch_is_payload_less_reference_in_the_symptoms_names():
