@@ -16,11 +16,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from bench.calibration.by_hand import weigh_by_hand
-from bench.calibration.learning import can_teach, learn, list_features, make_case, predict_left_out
+from bench.calibration.learning import can_teach, learn, predict_left_out, stack
 from bench.calibration.scores import HEADER, find_coverage, find_outside, score
 from bench.calibration.trial import Trial, run_trial
-from bench.calibration.weighing import FILE, Provenance, Weights
+from core.gap.weighing import FILE, Figures, Provenance
 from core.trial.batch import on_cluster, on_cores
 
 FEWEST = 2
@@ -49,22 +48,19 @@ def run_trials(path: Path, seeds: list[int], workers: int, dask: str | None) -> 
             print(f"{trial.seed}: {trial.truth} {' '.join(trial.variants)}, gap {trial.gap:.2f}, {trial.seconds:.0f} s", flush=True)
 
 
-def learn_weights(trials: list[Trial]) -> Weights:
-    """Learns from all trials; prints how well weights do that were learnt without the variant or cause that they are tried on."""
-    names = list_features(trials)
+def learn_figures(trials: list[Trial]) -> Figures:
+    """Learns from all trials; prints how well figures do that were learnt without the variant or cause that they are tried on."""
     teaching = [trial for trial in trials if can_teach(trial)]
-    left_out = predict_left_out(trials, names)
-    by_hand = {trial.seed: weigh_by_hand(trial.traces[0], trial.traces[1:]) for trial in trials}
-    learnt, hand = score(trials, left_out), score(trials, by_hand)
+    left_out = predict_left_out(trials)
+    learnt = score(trials, left_out)
     covered, size = find_coverage(trials, left_out)
-    print(HEADER, hand.say("by hand"), learnt.say("learnt, left out"), sep="\n")
+    print(HEADER, learnt.say("variants left out"), sep="\n")
     print(f"sets that are to hold the truth in 90 %: {100 * covered:.1f} %, {size:.1f} answers each")
-    w = learn([make_case(trial, names) for trial in teaching], names)
     counted = [trial for trial in trials if not trial.material]
     missed = sum(trial.matters for trial in counted)
     seeds = [trial.seed for trial in trials]
-    return Weights(
-        weights={name: round(float(value), 4) for name, value in zip(names, w, strict=True)},
+    return Figures(
+        figures={name: round(value, 4) for name, value in learn(stack(teaching)).items()},
         outside=round(find_outside(teaching, left_out), 4),
         overlooked=round((missed + 1) / (len(counted) + 2), 4),
         provenance=Provenance(
@@ -74,7 +70,6 @@ def learn_weights(trials: list[Trial]) -> Weights:
             seeds=(min(seeds), max(seeds)),
             versions=tuple(sorted({trial.version for trial in trials})),
             scores={**learnt.as_numbers(), "covered": round(covered, 3), "set_size": round(size, 2)},
-            scores_by_hand=hand.as_numbers(),
         ),
     )
 
@@ -97,10 +92,10 @@ def main() -> None:
     trials = read_trials(path)
     if sum(can_teach(trial) for trial in trials) < FEWEST:
         sys.exit(f"{len(trials)} trials, of which {sum(can_teach(trial) for trial in trials)} teach anything: at least {FEWEST} have to")
-    weights = learn_weights(trials)
-    print(weights.model_dump_json(indent=2))
+    figures = learn_figures(trials)
+    print(figures.model_dump_json(indent=2))
     if arguments.write:
-        FILE.write_text(weights.model_dump_json(indent=2) + "\n", encoding="utf-8")
+        FILE.write_text(figures.model_dump_json(indent=2) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

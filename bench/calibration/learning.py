@@ -1,4 +1,4 @@
-"""The weights that make trials most probable, held back by a prior; and the same with one group of trials left out after the other."""
+"""The figures that make trials most probable, held back by a prior; and the same with one group of trials left out after the other."""
 
 from __future__ import annotations
 
@@ -8,24 +8,35 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
-from scipy.special import logsumexp, softmax
 
 from bench.calibration.trial import Trial
-from bench.calibration.weighing import describe
 from core.array import Array
+from core.gap.weighing import Numbers, count, weigh_numbers
 
-PRIOR_STD = 0.5
-"""Of each weight, in units of its feature's spread."""
-PRIOR_MEAN = {"worse": 1.0, "none_worse": 1.0, "few_parameters": 3.0, "unknown_left": 2.0, "unknown_mostly": 2.0, "pair": 3.0}
-"""Of some weights, zero of the others: the likelihood counts as it is, parameters by a third of Schwarz's criterion."""
+PRIOR = {
+    "log_draws": (np.log(10.0), 1.0),
+    "schwarz": (0.5, 0.15),
+    "log_bent": (np.log(0.001), 1.0),
+    "none": (np.log(3.0), 1.0),
+    "further": (np.log(1000.0), 2.0),
+    "unknown": (-2.6, 1.5),
+    "unknown_left": (1.5, 1.0),
+    "lapse": (-2.2, 0.7),
+    "lapse_left": (0.8, 0.5),
+}
+"""Mean and standard deviation of each figure before any trial: a run has some ten different motions, parameters cost by Schwarz's
+criterion. Wide, but for that price, of which trials tell little."""
+STEP = 1e-4
+"""Of numerical derivatives, in standard deviations of the prior."""
 FOLDS = 5
 
 
-class Case(NamedTuple):
-    """A trial as it is learnt from: features (1 + 1 + n, f) of none, of unknown and of each fit; which of them is the truth."""
+class Cases(NamedTuple):
+    """Trials as they are learnt from: their numbers, padded to the same length, and the places (T,) of the truths among none, unknown and
+    the fits."""
 
-    rows: Array
-    truth: int
+    numbers: Numbers
+    truths: NDArray[np.intp]
 
 
 def can_teach(trial: Trial) -> bool:
@@ -37,53 +48,37 @@ def find_truth(trial: Trial) -> int:
     """Place of the truth among none, unknown and the fits; what no fit stands for is unknown."""
     if trial.truth == "none":
         return 0
-    names = [trace.name for trace in trial.traces[1:]]
-    ways = {trial.truth, "+".join(reversed(trial.families))}
-    return next((2 + k for k, name in enumerate(names) if name in ways), 1)
+    names = [sorted(trace.name.split("+")) for trace in trial.traces[1:]]
+    return next((2 + k for k, name in enumerate(names) if name == sorted(trial.families)), 1)
 
 
-def list_features(trials: Sequence[Trial]) -> list[str]:
-    """Names of all features, sorted."""
-    return sorted({name for trial in trials for row in describe(trial.traces[0], trial.traces[1:]) for name in row})
+def stack(trials: Sequence[Trial]) -> Cases:
+    """Behind each other."""
+    each = [count(trial.traces[0], trial.traces[1:]) for trial in trials]
+    most = max(len(numbers.chi_square) for numbers in each)
+    chi_square, free, joined = (
+        np.array([np.pad(numbers[k], (0, most - len(numbers[k])), constant_values=fill) for numbers in each])
+        for k, fill in enumerate((np.inf, 0.0, 0.0))
+    )
+    least, rows, left = (np.array([numbers[k] for numbers in each]) for k in (3, 4, 5))
+    return Cases(Numbers(chi_square, free, joined, least, rows, left), np.array([find_truth(trial) for trial in trials]))
 
 
-def make_case(trial: Trial, names: list[str]) -> Case:
-    """Its features as a matrix."""
-    rows = [[row.get(name, 0.0) for name in names] for row in describe(trial.traces[0], trial.traces[1:])]
-    return Case(np.array(rows), find_truth(trial))
+def learn(cases: Cases, start: dict[str, float] | None = None) -> dict[str, float]:
+    """The most probable figures under the prior."""
+    mean, std = (np.array(values) for values in zip(*PRIOR.values(), strict=True))
+    each = np.arange(len(cases.truths))
 
+    def cost(v: Array) -> float:
+        p = weigh_numbers(cases.numbers, dict(zip(PRIOR, mean + std * v, strict=True)))
+        return float(-np.log(np.maximum(p[each, cases.truths], 1e-12)).sum()) + 0.5 * float(v @ v)
 
-def learn(cases: Sequence[Case], names: Sequence[str] = (), start: Array | None = None) -> Array:
-    """(f,), weights; the most probable ones under a normal prior.
+    def slope(v: Array) -> Array:
+        return np.array([(cost(v + STEP * way) - cost(v - STEP * way)) / (2.0 * STEP) for way in np.eye(len(v))])
 
-    Args:
-        names: of the features, as far as the prior knows them.
-        start: where to begin.
-    """
-    rows, absent, truth = _stack(cases)
-    spread = np.maximum(np.concatenate([case.rows for case in cases]).std(axis=0), 1e-3)
-    width = PRIOR_STD / spread
-    mean = np.array([PRIOR_MEAN.get(name, 0.0) for name in names] or np.zeros(len(width)))
-    scaled, each = rows * width, np.arange(len(cases))
-
-    def cost(v: Array) -> tuple[float, Array]:
-        utilities = scaled @ v + base - absent
-        p = softmax(utilities, axis=1)
-        total = float(-np.log(np.maximum(p[each, truth], 1e-300)).sum()) + 0.5 * float(v @ v)
-        p[each, truth] -= 1.0
-        return total, np.einsum("ta,taf->f", p, scaled) + v
-
-    base = rows @ mean
-    v = np.zeros(len(width)) if start is None else (start - mean) / width
-    return np.asarray(mean + width * minimize(cost, v, jac=True, method="L-BFGS-B", options={"maxiter": 300}).x)
-
-
-def _stack(cases: Sequence[Case]) -> tuple[Array, Array, NDArray[np.intp]]:
-    """Features (T, A, f) of all answers, what is taken off the utility (T, A) of those that a trial does not have, and the truths (T,)."""
-    most = max(len(case.rows) for case in cases)
-    rows = np.array([np.pad(case.rows, ((0, most - len(case.rows)), (0, 0))) for case in cases])
-    absent = np.array([np.where(np.arange(most) < len(case.rows), 0.0, 1e9) for case in cases])
-    return rows, absent, np.array([case.truth for case in cases])
+    begin = np.zeros(len(mean)) if start is None else (np.array([start[name] for name in PRIOR]) - mean) / std
+    found = minimize(cost, begin, jac=slope, method="L-BFGS-B", options={"maxiter": 100})
+    return dict(zip(PRIOR, (mean + std * found.x).tolist(), strict=True))
 
 
 def group_of(trial: Trial) -> str:
@@ -93,15 +88,14 @@ def group_of(trial: Trial) -> str:
     return f"{len(trial.families)}:{trial.seed % FOLDS}"
 
 
-def predict_left_out(trials: Sequence[Trial], names: list[str]) -> dict[int, Array]:
-    """By seed, probabilities of each trial by weights that were learnt without its group."""
-    cases = {trial.seed: make_case(trial, names) for trial in trials}
-    whole = learn([cases[trial.seed] for trial in trials if can_teach(trial)], names)
+def predict_left_out(trials: Sequence[Trial]) -> dict[int, Array]:
+    """By seed, probabilities of each trial by figures that were learnt without its group."""
+    whole = learn(stack([trial for trial in trials if can_teach(trial)]))
     found: dict[int, Array] = {}
     for group in sorted({group_of(trial) for trial in trials}):
-        w = learn([cases[trial.seed] for trial in trials if group_of(trial) != group and can_teach(trial)], names, whole)
+        rest = [trial for trial in trials if group_of(trial) != group and can_teach(trial)]
+        figures = learn(stack(rest), whole) if rest else whole
         for trial in trials:
             if group_of(trial) == group:
-                u = cases[trial.seed].rows @ w
-                found[trial.seed] = np.exp(u - logsumexp(u))
+                found[trial.seed] = weigh_numbers(count(trial.traces[0], trial.traces[1:]), figures)
     return found

@@ -46,6 +46,11 @@ class Trace(BaseModel):
     log_evidence: float
 
     @property
+    def further(self) -> int:
+        """Effects beyond the first."""
+        return max(0, self.effects - 1)
+
+    @property
     def chi_square(self) -> float:
         """On unseen motions, of all rows."""
         return sum(self.by_block)

@@ -27,7 +27,6 @@ from core.gap.answer import (
     Verdict,
     Where,
 )
-from core.gap.attribution import LAPSE
 from core.gap.closure import closure_of, gap_of
 from core.gap.effect_fit import EffectFit
 from core.gap.evidence import EXPLAINED, Evidence
@@ -37,6 +36,7 @@ from core.gap.proposal import Proposal
 from core.gap.residual import Residual
 from core.gap.symptoms import find_leading, observe_symptoms
 from core.gap.tie import Tie
+from core.gap.weighing import read_figures
 from core.gap.windows import OFFSET
 from core.payload.channels import CHANNELS
 from core.recording.recording import Recording
@@ -63,8 +63,8 @@ def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:
         verdict=verdict,
         summary=_summarise(verdict, evidence),
         effects=[explain(evidence, fit, p) for fit, p in explained if len(fit.effects) == 1],
-        none_probability=attribution.none if material else 1.0 - LAPSE,
-        unknown_probability=attribution.unknown if material else LAPSE,
+        none_probability=attribution.none if material else 1.0 - read_figures().overlooked,
+        unknown_probability=attribution.unknown if material else read_figures().overlooked,
         pairs=[explain_both(evidence, fit, p) for fit, p in explained if len(fit.effects) > 1],
         minor=[] if material else _minor(evidence),
         indistinguishable=[_describe_tie(tie, evidence.proposals) for tie in attribution.ties] if material else [],

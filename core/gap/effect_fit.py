@@ -63,6 +63,21 @@ class EffectFit:
         return len(self.theta) - self.kept_absent - sum(not p.shown for p in self.parameters)
 
     @property
+    def further(self) -> int:
+        """Effects beyond the first."""
+        return max(0, len(self.effects) - 1)
+
+    @property
+    def rows(self) -> int:
+        """How many equations were predicted."""
+        return self.held_out.size
+
+    @property
+    def chi_square(self) -> float:
+        """Of all rows, each predicted from the other motions."""
+        return float(self.held_out.sum())
+
+    @property
     def name(self) -> str:
         """Identifiers joined by a plus sign."""
         return "+".join(effect.id for effect in self.effects) or "none"

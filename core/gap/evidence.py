@@ -108,7 +108,7 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     tasks += [task for task in richer if task.thetas]
     smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
     singles = choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
-    if leftover(nominal, min(singles, key=_total, default=nominal)) > ONE_IS_CLEAR:
+    if leftover(nominal, min(singles, key=lambda fit: fit.chi_square, default=nominal)) > ONE_IS_CLEAR:
         singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, shown, fit_all)])
     joined = _join(windows, nominal, singles, shown, fit_all)
     attribution = attribute(windows, nominal, [*singles, *joined])
@@ -125,10 +125,6 @@ def _fit_from_most(windows: Windows, nominal: EffectFit, effects: Sequence[Effec
     residual = windows.on_grid(windows.target - nominal.change - windows.X @ beta)
     start = replace(nominal, beta=beta)
     return fit_all(windows, [Task((effect,), start, effect.starts(scene, residual)) for effect in wanted])
-
-
-def _total(fit: EffectFit) -> float:
-    return float(fit.held_out.sum())
 
 
 def _explain_absence(effect: Effect, scene: Scene, *, at_rest: bool) -> Message | None:
@@ -149,7 +145,7 @@ def describe_limits(reasons: Mapping[Effect, Message | None]) -> tuple[Message, 
 def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:
     """Two effects at once, where one leaves something to explain, and where two do, three; each set once, as well as it was fitted."""
     fitted = {fit.name: fit for fit in singles}
-    firsts = sorted(singles, key=_total)[:FIRSTS]
+    firsts = sorted(singles, key=lambda fit: fit.chi_square)[:FIRSTS]
     if not firsts or leftover(nominal, firsts[0]) < ONE_IS_ENOUGH or probabilities(nominal, singles)[0] > EXPLAINED:
         return []
     found: list[EffectFit] = []
@@ -166,7 +162,7 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
         if not grown:
             break
         firsts, most = grown[:1], FURTHER_EXPLAINS * most
-        found += [fit for fit in grown if leftover(nominal, fit) < most and EQUATIONS * fit.free < fit.held_out.size]
+        found += [fit for fit in grown if leftover(nominal, fit) < most and EQUATIONS * fit.free < fit.rows]
     return found
 
 
@@ -178,4 +174,4 @@ def _fit_with_partners(windows: Windows, firsts: list[EffectFit], effects: list[
 def _take_each_once(fits: list[EffectFit]) -> list[EffectFit]:
     """The best fit of each set of effects, the best first: of what is left, the smaller one (Schwarz's criterion)."""
     once = {fit.name: fit for fit in sorted(fits, key=lambda fit: -fit.cost)}
-    return sorted(once.values(), key=lambda fit: _total(fit) + fit.free * float(np.log(fit.held_out.size)))
+    return sorted(once.values(), key=lambda fit: fit.chi_square + fit.free * float(np.log(fit.rows)))

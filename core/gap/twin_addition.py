@@ -110,6 +110,6 @@ def _find_fitted(evidence: Evidence, chosen: tuple[Effect, ...], where: str) -> 
             check_shown(evidence, fit.effects, where)  # in the shape that was found
             check_addable(evidence, fit, where)
             return explain(evidence, fit, probability) if len(chosen) == 1 else explain_both(evidence, fit, probability)
-    best = min(evidence.singles, key=lambda fit: float(fit.held_out.sum()))
+    best = min(evidence.singles, key=lambda fit: fit.chi_square)
     check_closure(evidence, best, where)
     raise BadTwin(where, "gap-one-is-enough", best=best.name)

@@ -4,22 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.special import softmax
 
-from bench.calibration.by_hand import weigh_by_hand
-from bench.calibration.learning import Case, can_teach, find_truth, group_of, learn
+from bench.calibration.learning import PRIOR, Cases, can_teach, find_truth, group_of, learn, stack
 from bench.calibration.scores import find_calibration_error, find_coverage, is_right, score
 from bench.calibration.trial import Trial
-from tests.bench.calibration.test_weighing import trace
-
-TRUE = np.array([1.5, -1.0, 0.0])
-
-
-def cases(count: int) -> list[Case]:
-    """Answers with three features each, drawn as a world with the true weights would."""
-    rng = np.random.default_rng(4)
-    rows = rng.normal(size=(count, 8, 3))
-    return [Case(row, int(rng.choice(8, p=softmax(row @ TRUE)))) for row in rows]
+from core.gap.weighing import weigh_numbers
+from tests.core.gap.test_weighing import trace
 
 
 def trial(seed: int, families: tuple[str, ...], *lefts: float, material: bool = True) -> Trial:
@@ -39,12 +29,21 @@ def trial(seed: int, families: tuple[str, ...], *lefts: float, material: bool = 
     )
 
 
-def test_the_weights_of_a_known_world_are_found() -> None:
-    assert learn(cases(1500)) == pytest.approx(TRUE, abs=0.15)
+def test_the_figures_of_a_known_world_are_found() -> None:
+    rng = np.random.default_rng(4)
+    lefts = 50.0 * 10.0 ** rng.uniform(-4.0, 0.0, (600, 2))
+    world = {name: mean for name, (mean, _) in PRIOR.items()} | {"unknown": 0.5, "unknown_left": 0.8, "lapse": -1.0}
+    numbers = stack([trial(seed, ("a",), *left) for seed, left in enumerate(lefts)]).numbers
+    truths = np.array([rng.choice(4, p=p) for p in weigh_numbers(numbers, world)])
+    found = learn(Cases(numbers, truths))
+    assert found["unknown"] == pytest.approx(0.5, abs=0.3)
+    assert found["unknown_left"] == pytest.approx(0.8, abs=0.3)
 
 
-def test_with_nothing_to_learn_from_all_answers_are_alike() -> None:
-    assert learn([Case(np.ones((3, 3)), 0)]) == pytest.approx(np.zeros(3), abs=1e-6)
+def test_with_nothing_to_learn_from_what_was_known_before_stays() -> None:
+    silent = stack([trial(0, ())])
+    found = learn(Cases(silent.numbers, np.array([0])))
+    assert found == pytest.approx({name: mean for name, (mean, _) in PRIOR.items()}, abs=0.3)
 
 
 def test_what_no_fit_stands_for_is_unknown() -> None:
@@ -80,9 +79,3 @@ def test_probabilities_that_are_right_as_often_as_they_say_have_no_calibration_e
     assert covered == pytest.approx(0.9, abs=0.04)
     assert 1.0 <= size <= 2.0
     assert score(trials[:200], told).named[1] == 200
-
-
-def test_figures_chosen_by_hand_are_probabilities_too() -> None:
-    p = weigh_by_hand(trace("none", 50.0), [trace("a", 0.0), trace("b", 30.0)])
-    assert p.sum() == pytest.approx(1.0)
-    assert np.argmax(p) == 2

@@ -1,4 +1,4 @@
-"""`bench.calibration.weighing`: from traces to probabilities, with weights that were learnt."""
+"""`core.gap.weighing`: from traces to probabilities, with figures that were learnt."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from bench.calibration.trace import BLOCKS, Trace
-from bench.calibration.weighing import left_share, read_weights, weigh
+from core.gap.weighing import count, find_doubts, find_left_share, read_figures, score, weigh
 
 ROWS = 6000
 
@@ -30,11 +30,11 @@ def trace(name: str, left: float, free: int = 3, at_bound: int = 0, size: float 
 
 
 def test_probabilities_sum_to_one_however_many_fits_there_are() -> None:
-    for count in (0, 1, 20):
-        p = weigh(trace("none", 50.0), [trace(f"effect_{k}", 3.0 * k) for k in range(count)])
-        assert p.shape == (2 + count,)
+    for fits in (0, 1, 20):
+        p = weigh(trace("none", 50.0), [trace(f"effect_{k}", 3.0 * k) for k in range(fits)])
+        assert p.shape == (2 + fits,)
         assert p.sum() == pytest.approx(1.0)
-        assert (p > 0.0).all()
+        assert (p >= 0.0).all()
 
 
 def test_what_closes_the_gap_is_more_probable_the_less_it_leaves() -> None:
@@ -53,15 +53,30 @@ def test_where_much_is_left_over_it_is_unknown() -> None:
     assert np.argmax(p) == 1
 
 
-def test_weights_are_shipped_with_where_they_come_from() -> None:
-    known = read_weights()
-    assert set(known.weights) >= {"none", "unknown", "worse", "left", "pair"}
-    assert known.provenance.learnt_from >= 50
+def test_figures_are_shipped_with_where_they_come_from() -> None:
+    known = read_figures()
+    assert known.provenance.learnt_from >= 200
     assert known.provenance.versions
     assert 0.0 < known.outside < 0.5
     assert 0.0 < known.overlooked < 0.5
 
 
+def test_the_more_is_left_the_stronger_are_both_doubts() -> None:
+    unknown, lapse = find_doubts(np.array([0.0, 1e-3, 1e-2, 0.1, 1.0]), read_figures().figures)
+    assert np.all(np.diff(unknown) > 0.0)
+    assert np.all(np.diff(lapse) > 0.0)
+    assert unknown[0] < 0.1
+    assert unknown[-1] > 0.5
+
+
+def test_recordings_behind_each_other_are_weighed_as_each_alone() -> None:
+    one = count(trace("none", 50.0), [trace("a", 1.0), trace("b", 30.0, 12)])
+    two = count(trace("none", 5.0), [trace("a", 0.0), trace("b+c", 0.0, 12)])
+    figures = read_figures().figures
+    stacked = type(one)(*(np.stack(pair) for pair in zip(one, two, strict=True)))
+    assert score(stacked, figures) == pytest.approx(np.stack([score(one, figures), score(two, figures)]))
+
+
 def test_what_may_be_chance_is_nothing_left() -> None:
-    assert left_share(trace("none", 10.0), trace("a", 0.02)) == 0.0
-    assert left_share(trace("none", 10.0), trace("a", 5.0)) == pytest.approx(0.5, abs=0.01)
+    assert find_left_share(trace("none", 10.0), trace("a", 0.02)) == 0.0
+    assert find_left_share(trace("none", 10.0), trace("a", 5.0)) == pytest.approx(0.5, abs=0.01)

@@ -1,0 +1,171 @@
+"""From what fits leave over to probabilities.
+
+Fits compete by their predictions of motions that they did not see. No model is exact: what the best one leaves over beyond chance is its
+own error, which repeats itself from sample to sample, so all of it is worth a few independent draws, and chi-square is counted in units of
+that (a quasi-likelihood). Parameters cost by Schwarz's criterion, the further ones of a wrong model no more than what they can bend to.
+What the best one leaves over says, too, how probable it is that nothing in the library is the cause, and that the winner has only bent
+better than the truth. The figures of all this stand in `probabilities.json`, with where they come from: `python -m bench.calibration`
+learns them from simulated trials.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple, Protocol
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict
+from scipy.special import expit, log_softmax
+
+from core.array import Array
+
+FILE = Path(__file__).with_name("probabilities.json")
+CHANCE_SIGMA = 3.0
+"""Chi-square within this many standard deviations of its mean is chance."""
+STIFF = 6
+"""Parameters that a model is stiff with: it takes more of them to bend."""
+LEAST_SHARE = 1e-4
+"""Of the gap: less than this is nothing left."""
+
+
+class Prediction(Protocol):
+    """How well a fit predicts motions that it did not see: chi-square of so many rows, by so many free parameters of so many effects beyond
+    the first."""
+
+    @property
+    def chi_square(self) -> float: ...
+    @property
+    def rows(self) -> int: ...
+    @property
+    def free(self) -> int: ...
+    @property
+    def further(self) -> int: ...
+
+
+class Provenance(BaseModel):
+    """Where figures come from: how many trials of which seeds, made by which versions, learnt when, and how they do on trials whose variant
+    or cause they were not learnt from."""
+
+    model_config = ConfigDict(frozen=True)
+
+    date: str
+    trials: int
+    learnt_from: int
+    seeds: tuple[int, int]
+    versions: tuple[str, ...]
+    scores: dict[str, float]
+
+
+class Figures(BaseModel):
+    """What is learnt.
+
+    Args:
+        figures: `log_draws`, independent draws that a model's own error is worth, by its logarithm; `schwarz`, of the logarithm of draws
+            that each of the first `STIFF` parameters costs (1/2 is Schwarz's); `log_bent`, share of the gap that each further one
+            may take up by bending, by its logarithm; `none`, log odds of no effect against each single one; `further`, log odds against
+            each further effect; `unknown`, `unknown_left`, `lapse`, `lapse_left`, logits of the two doubts where the best fit leaves 1 % of
+            the gap, and what ten times as much adds to them.
+        outside: probability below which an answer is left out of the set that holds the truth in 90 % of all cases.
+        overlooked: probability that something matters although the verdict is that nothing does.
+    """
+
+    model_config = ConfigDict(frozen=True)
+
+    figures: dict[str, float]
+    outside: float
+    overlooked: float
+    provenance: Provenance
+
+
+@cache
+def read_figures() -> Figures:
+    """Those that are shipped."""
+    return Figures.model_validate_json(FILE.read_text(encoding="utf-8"))
+
+
+class Numbers(NamedTuple):
+    """One recording, or several behind each other: the nominal twin comes first, then the fits; infinite chi-square is no fit.
+
+    Args:
+        chi_square, free, joined: (..., 1 + n), on unseen motions, parameters, effects beyond the first.
+        least: (..., 1), the smallest chi-square; rows: (..., 1), equations.
+        left: (..., 1), share of the gap that the best fit leaves.
+    """
+
+    chi_square: Array
+    free: Array
+    joined: Array
+    least: Array
+    rows: Array
+    left: Array
+
+
+def weigh(nominal: Prediction, fits: Sequence[Prediction]) -> Array:
+    """(2 + n,), probabilities of no effect, of one that the library does not have, and of each of the n fits; they sum to 1."""
+    return weigh_numbers(count(nominal, fits), read_figures().figures)
+
+
+def count(nominal: Prediction, fits: Sequence[Prediction]) -> Numbers:
+    """The numbers of one recording."""
+    every = (nominal, *fits)
+    best = min(fits, key=lambda fit: fit.chi_square, default=nominal)
+    return Numbers(
+        np.array([fit.chi_square for fit in every]),
+        np.array([float(fit.free) for fit in every]),
+        np.array([float(fit.further) for fit in every]),
+        np.array([best.chi_square]),
+        np.array([float(best.rows)]),
+        np.array([find_left_share(nominal, best)]),
+    )
+
+
+def weigh_numbers(numbers: Numbers, figures: Mapping[str, float]) -> Array:
+    """(..., 2 + n), probabilities as `weigh` has them."""
+    shares = np.exp(log_softmax(score(numbers, figures), axis=-1))
+    unknown, lapse = find_doubts(numbers.left, figures)
+    shares = (1.0 - lapse) * shares + lapse * np.exp(log_softmax(_score_nearness(numbers), axis=-1))
+    none, fits = shares[..., :1], shares[..., 1:]
+    unknown = (1.0 - none) * unknown
+    return np.concatenate([(1.0 - unknown) * none, unknown, (1.0 - unknown) * fits], axis=-1)
+
+
+def score(numbers: Numbers, figures: Mapping[str, float]) -> Array:
+    """(..., 1 + n), log weights: how much worse than the best each predicts, less what its parameters cost, so that of two that predict
+    alike the smaller one wins. The nominal twin is no approximation: what it predicts worse counts in full."""
+    chi_square, free, joined, least, rows, _ = numbers
+    beyond = find_beyond_chance(least, rows)
+    scale, unit = 1.0 + beyond * rows / math.exp(figures["log_draws"]), np.maximum(1.0, least / rows)
+    schwarz = figures["schwarz"] * np.log(rows * unit / scale)
+    bent = 0.5 * math.exp(figures["log_bent"]) * np.maximum(0.0, chi_square[..., :1] - rows) / scale
+    costs = np.minimum(free, STIFF) * schwarz + np.maximum(free - STIFF, 0.0) * np.minimum(schwarz, bent) + figures["further"] * joined
+    worse = chi_square - least
+    return np.concatenate([figures["none"] - 0.5 * worse[..., :1] / unit, -0.5 * worse[..., 1:] / scale - costs[..., 1:]], axis=-1)
+
+
+def find_doubts(left: Array, figures: Mapping[str, float]) -> tuple[Array, Array]:
+    """That nothing in the library is the cause, where there is one, and that the winner is not; `left` is what the best fit leaves of the
+    gap, a share."""
+    powers = 2.0 + np.log10(left + LEAST_SHARE)
+    unknown, lapse = (expit(figures[name] + figures[f"{name}_left"] * powers) for name in ("unknown", "lapse"))
+    return unknown, lapse
+
+
+def _score_nearness(numbers: Numbers) -> Array:
+    """(..., 1 + n), log weights of what may be the truth although another one predicts better: the nearer to the noise, the sooner."""
+    nearness = -2.0 * np.log(np.maximum(numbers.chi_square / numbers.rows - 1.0, 1e-3)) - numbers.joined
+    any_fit = np.isfinite(numbers.chi_square[..., 1:]).any(axis=-1, keepdims=True)
+    return np.concatenate([np.where(any_fit, -np.inf, nearness[..., :1]), nearness[..., 1:]], axis=-1)
+
+
+def find_beyond_chance(chi_square: Array, rows: Array) -> Array:
+    """Chi-square per row that is left over, less what chance may leave; not below 0."""
+    return np.maximum(0.0, chi_square / rows - 1.0 - CHANCE_SIGMA * np.sqrt(2.0 / rows))
+
+
+def find_left_share(nominal: Prediction, fit: Prediction) -> float:
+    """Share of the nominal twin's excess over noise that a fit leaves on unseen motions; at most 1."""
+    beyond = float(find_beyond_chance(np.array(fit.chi_square), np.array(float(fit.rows))))
+    return min(1.0, beyond / max(nominal.chi_square / nominal.rows - 1.0, 1e-9))
