@@ -165,6 +165,7 @@ def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:
     """Everything else that a person should read."""
     words = find_wording()
     lines = _instruction_lines(diagnosis.instruction, words)
+    lines += [words.say("result-likely", effects=[_name_answer(name, words) for name in diagnosis.likely])] if diagnosis.likely[1:] else []
     lines += [words.quote(diagnosis.where.message)] if diagnosis.where and diagnosis.verdict != "no_gap" else []
     lines += [
         words.say("result-tie", effects=_either(tie.ids, words), reason=tie.why, splits=tie.splits) for tie in diagnosis.indistinguishable
@@ -177,6 +178,12 @@ def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:
         best = [ids for _, ids in rank_explanations(diagnosis)[:1]]
         lines += [words.say("result-to-do", advice=advice) for ids in best for advice in find_advice(diagnosis, ids).values()]
     return lines + [words.say("result-not-looked-at", limit=limit) for limit in diagnosis.limits]
+
+
+def _name_answer(name: str, words: Wording) -> str:
+    """An answer as the table calls it."""
+    others = {"none": "result-no-effect", "unknown": "result-unknown-effect"}
+    return words.say(others[name]) if name in others else name.replace("+", " + ")
 
 
 def _instruction_lines(instruction: Instruction, words: Wording) -> list[str]:

@@ -298,6 +298,13 @@ class Diagnosis(DiagnosisPart):
     effects: list[Explanation] = Field(description="Single effects that explain the gap, the most probable first.")
     none_probability: float = Field(description="Probability that there is no gap worth a name, 0 to 1.", examples=[0.01])
     unknown_probability: float = Field(description="Probability that it is something the library does not have, 0 to 1.", examples=[0.04])
+    likely: list[str] = Field(
+        default_factory=list,
+        description="The smallest set of answers that holds the truth in nine of ten cases (split conformal), the most probable first: "
+        "identifiers, several at once joined by plus signs, `none`, `unknown`. Empty in answers of earlier versions, and where nothing can "
+        "be said.",
+        examples=[["sensor_gain", "sensor_crosstalk"]],
+    )
     pairs: list[Pair] = Field(description="Two effects at once, or three, the most probable first.")
     minor: list[Minor] = Field(description="Effects on the wrench that were detected, but are not material.")
     also: list[Also] = Field(default_factory=list, description="What is seen elsewhere than in the wrench.")

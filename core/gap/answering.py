@@ -48,10 +48,20 @@ OPEN = 0.05
 
 def answer(recording: Recording, evidence: Evidence) -> Diagnosis:
     """What the wrench says, and beside it what is plain in the recording itself; that explains no gap, and changes no verdict."""
-    fitted = _answer_from_wrench(recording, evidence)
+    fitted = with_likely(_answer_from_wrench(recording, evidence))
     also = observe_symptoms(recording, evidence.windows, evidence.nominal, evidence.best)
     summary = reduce(lambda said, more: Message.of("gap-summary-and", said=said, more=more), find_leading(also), fitted.summary)
     return fitted.model_copy(update={"also": also, "summary": summary})
+
+
+def with_likely(diagnosis: Diagnosis) -> Diagnosis:
+    """The diagnosis with the set of its answers that is to hold the truth in nine of ten cases."""
+    singles = {effect.id: effect.probability for effect in diagnosis.effects}
+    several = {"+".join(pair.ids): pair.probability for pair in diagnosis.pairs}
+    told = {**singles, **several, "none": diagnosis.none_probability, "unknown": diagnosis.unknown_probability}
+    first, *others = sorted(told, key=lambda name: -told[name])
+    likely = [first, *(name for name in others if told[name] >= read_figures().outside)]
+    return diagnosis.model_copy(update={"likely": likely})
 
 
 def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:

@@ -12,7 +12,7 @@ from core.effects.effect import Effect
 from core.effects.external_contact import ExternalContact
 from core.effects.parameter_title import find_title
 from core.gap.answer import ContactPart, Diagnosis, Explanation, Pair, PayloadPart, Value, Where
-from core.gap.answering import answer, describe_gap, describe_payload, describe_values
+from core.gap.answering import answer, describe_gap, describe_payload, describe_values, with_likely
 from core.gap.attribution import Attribution, leftover
 from core.gap.closure import closure_of, gap_of
 from core.gap.contacts import Contact, Contacts, find_contacts
@@ -93,7 +93,7 @@ def answer_touched(recording: Recording, evidence: Evidence, touched: Touched) -
     beside = rest if touched.best.effects else whole
     left = 1.0 - touched.unknown - touched.probability
     others = left / max(1e-12, 1.0 - beside.none_probability - beside.unknown_probability)
-    return rest.model_copy(
+    told = rest.model_copy(
         update={
             "verdict": "explained",
             "summary": summary,
@@ -111,6 +111,7 @@ def answer_touched(recording: Recording, evidence: Evidence, touched: Touched) -
             "limits": [Message.of("gap-contacts-left-out", share=1.0 - float(touched.contacts.free.mean())), *rest.limits],
         }
     )
+    return with_likely(told)
 
 
 def _summarise(touched: Touched) -> Message:

@@ -198,10 +198,14 @@ def _row(
 
 
 def rest_sentences(diagnosis: Diagnosis, titles: Mapping[str, str], words: Wording) -> list[str]:
-    """What the explanations without a row add up to, and what the best of them would have closed."""
+    """Between which answers it lies, what the explanations without a row add up to, and what the best of them would have closed."""
     effects = [effect for effect in diagnosis.effects[1:] if effect.probability < SHOWN]
     pairs = [pair for pair in diagnosis.pairs if pair.probability < SHOWN]
     found = []
+    if diagnosis.likely[1:]:
+        others = {"none": words.say("report-gap-no-effect"), "unknown": words.say("report-gap-not-in-library")}
+        likely = [others[name] if name in others else title_of(name, titles, words) for name in diagnosis.likely]
+        found.append(words.say("report-gap-likely", effects=likely))
     if effects:
         best = sorted(effects, key=lambda effect: -effect.closure)[:CLOSED]
         closed = [words.say("report-gap-effect-closes", effect=titles[effect.id], closure=effect.closure) for effect in best]

@@ -3926,6 +3926,15 @@ export interface components {
              */
             unknown_probability: number;
             /**
+             * Likely
+             * @description The smallest set of answers that holds the truth in nine of ten cases (split conformal), the most probable first: identifiers, several at once joined by plus signs, `none`, `unknown`. Empty in answers of earlier versions, and where nothing can be said.
+             * @example [
+             *       "sensor_gain",
+             *       "sensor_crosstalk"
+             *     ]
+             */
+            likely?: string[];
+            /**
              * Pairs
              * @description Two effects at once, or three, the most probable first.
              */

@@ -221,6 +221,7 @@ report-gap-more-parameters = und { $count } weitere, weniger deutlich
 report-gap-closure-note = Geschlossen: der Anteil der Abweichung über dem Rauschen, der verschwindet, sobald der Effekt in der Simulation ist.
 report-gap-no-effects-note = Ein Effekt von Belang stünde hier.
 report-gap-effect-closes = { $effect } { PERCENT($closure) } %
+report-gap-likely = In neun von zehn Fällen wie diesem ist es eines davon: { $effects }.
 report-gap-others =
     Nicht gezeigt: { $count ->
         [one] 1 weiterer Effekt,

@@ -64,6 +64,7 @@ result-parameters = Parameter
 result-more-parameters = { $parameters } und { $count } weitere
 result-no-effect = keiner
 result-unknown-effect = unbekannt
+result-likely = In neun von zehn Fällen wie diesem ist es eines davon: { $effects }.
 result-tie = { $effects }: { $reason }. Was es klären würde: { $splits }.
 result-either = { $effect } oder { $other }
 result-minor = Ohne Belang: { $effect }: { $seen }

@@ -223,6 +223,7 @@ report-gap-more-parameters = and { $count } more, less clear
 report-gap-closure-note = Closure: the share of the gap above the noise that goes once the effect is in the simulation.
 report-gap-no-effects-note = An effect that matters would stand here.
 report-gap-effect-closes = { $effect } { PERCENT($closure) } %
+report-gap-likely = In nine of ten cases like this it is one of these: { $effects }.
 report-gap-others =
     Not shown: { $count ->
         [one] 1 other effect

@@ -68,6 +68,7 @@ result-parameters = parameters
 result-more-parameters = { $parameters } and { $count } more
 result-no-effect = none
 result-unknown-effect = unknown
+result-likely = In nine of ten cases like this it is one of these: { $effects }.
 result-tie = { $effects }: { $reason }. What would settle it: { $splits }.
 result-either = { $effect } or { $other }
 result-minor = Minor: { $effect }: { $seen }

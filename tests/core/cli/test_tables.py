@@ -6,6 +6,7 @@ from core.cli.tables import diagnosis_lines
 from core.gap.answer import Also
 from core.gap.answering import not_enough
 from core.words.message import Message
+from tests.core.report.made_up_diagnoses import with_verdict
 
 
 def say(text: str) -> Message:
@@ -24,3 +25,9 @@ def test_what_stands_beside_the_verdict_is_told_with_what_to_do_where_it_matters
     lines = diagnosis_lines(not_enough(Message.of("gap-too-short", lasts_s=1.0), 0.1).model_copy(update={"also": also}))
     assert "Also, in the sensor's readings: sensor_noise: There is sensor_noise. To do: Check the cable." in lines
     assert "Also, in the sensor's readings: sensor_interference: There is sensor_interference. It does not matter." in lines
+
+
+def test_the_answers_between_which_it_lies_are_said_where_they_are_several() -> None:
+    open_ = with_verdict("ambiguous", likely=["time_delay", "time_delay+base_tilt", "unknown"])
+    assert "In nine of ten cases like this it is one of these: time_delay, time_delay + base_tilt, unknown." in diagnosis_lines(open_)
+    assert not any("nine of ten" in line for line in diagnosis_lines(with_verdict("explained", likely=["time_delay"])))

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from bench.calibration.trace import BLOCKS, Trace
+from core.gap.answering import not_enough, with_likely
 from core.gap.weighing import count, find_doubts, find_left_share, read_figures, score, weigh
+from core.words.message import Message
 
 ROWS = 6000
 
@@ -80,3 +82,11 @@ def test_recordings_behind_each_other_are_weighed_as_each_alone() -> None:
 def test_what_may_be_chance_is_nothing_left() -> None:
     assert find_left_share(trace("none", 10.0), trace("a", 0.02)) == 0.0
     assert find_left_share(trace("none", 10.0), trace("a", 5.0)) == pytest.approx(0.5, abs=0.01)
+
+
+def test_the_likely_answers_are_those_that_are_not_outside_the_set_of_nine_in_ten() -> None:
+    outside = read_figures().outside
+    told = not_enough(Message.of("gap-no-wrench"), 0.0)
+    near = with_likely(told.model_copy(update={"unknown_probability": 0.9, "none_probability": 1.5 * outside}))
+    assert near.likely == ["unknown", "none"]
+    assert with_likely(told.model_copy(update={"unknown_probability": 0.9, "none_probability": 0.5 * outside})).likely == ["unknown"]

@@ -42,6 +42,7 @@ export function Which({ diagnosis }: { diagnosis: Diagnosis }) {
           </li>
         ))}
       </ul>
+      <Likely answers={diagnosis.likely ?? []} />
       <Others candidates={rest} />
       {named.map((each) => (
         <EffectSize key={each.id} candidate={each} />
@@ -49,6 +50,14 @@ export function Which({ diagnosis }: { diagnosis: Diagnosis }) {
       <Rejected candidates={open.filter((each) => !named.includes(each))} />
     </section>
   );
+}
+
+/** The answers that hold the truth in nine of ten cases, where there are several. */
+function Likely({ answers }: { answers: string[] }) {
+  const said = words.value.gap;
+  if (answers.length < 2) return null;
+  const others: Record<string, string> = { none: said.noGap, unknown: said.unknownEffect };
+  return <p>{said.likelySet(answers.map((id) => others[id] ?? effectName(id)))}</p>;
 }
 
 /** What the verdict names: the most probable where it is explained, all that are open where it is not settled. */

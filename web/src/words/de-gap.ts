@@ -114,6 +114,7 @@ export const deGap: GapWords = {
   possible: 'möglich',
   unlikely: 'unwahrscheinlich',
   veryUnlikely: 'sehr unwahrscheinlich',
+  likelySet: (answers) => `In neun von zehn Fällen wie diesem ist es eines davon: ${answers.join('; ')}.`,
   others: (count, share) => `${count} weitere Effekte, zusammen ${share}`,
   parameters: 'Größe',
   moreParameters: (count) => `${count} weitere, weniger deutlich`,

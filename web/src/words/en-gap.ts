@@ -110,6 +110,8 @@ export const enGap = {
   possible: 'possible',
   unlikely: 'unlikely',
   veryUnlikely: 'very unlikely',
+  likelySet: (answers: string[]) =>
+    `In nine of ten cases like this it is one of these: ${answers.join('; ')}.`,
   others: (count: number, share: string) => `${count} other effects, together ${share}`,
   parameters: 'Size',
   moreParameters: (count: number) => `${count} more, less clear`,
