@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from core.array import Array
+from core.effects.effect import Effect
 from core.effects.scene import PER_ROW, Scene
 from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import poses_of
@@ -46,8 +47,11 @@ class Prediction:
         self.seconds = float(motion.t[-1] - motion.t[0])
 
     def distance_sigma(self, a: EffectFit, b: EffectFit) -> float:
-        """Standard deviations that this motion alone puts between two fits, whichever of them is true."""
-        (rows_a, columns_a), (rows_b, columns_b) = self._rows(a), self._rows(b)
+        """Standard deviations that this motion alone puts between two fits, whichever of them is true.
+
+        An effect that both have is the same in both: that each carries its own course of a drift on, say, is no difference.
+        """
+        (rows_a, columns_a), (rows_b, columns_b) = self._rows(a), self._rows(_share(self._scene, a, b))
         d = rows_b - rows_a
         return min(self._find_distance(d, a, columns_a), self._find_distance(-d, b, columns_b))
 
@@ -80,6 +84,18 @@ class Prediction:
         columns = np.concatenate((X, earlier, J, STEP_STD * X[..., OFFSET]), axis=2)
         predicted = X @ fit.beta[: X.shape[2]] + rows[..., 0]
         return predicted.ravel(), columns.reshape(-1, columns.shape[2])
+
+
+def _share(scene: Scene, a: EffectFit, b: EffectFit) -> EffectFit:
+    """b with the parameters of a where both have the same effect in the same shape."""
+    known, own = _split(scene, a), _split(scene, b)
+    return replace(b, theta=np.concatenate([np.zeros(0), *(known.get(shape, theta) for shape, theta in own.items())]))
+
+
+def _split(scene: Scene, fit: EffectFit) -> dict[type[Effect], Array]:
+    """Parameters by shape of effect, in their order."""
+    ends = np.cumsum([len(effect.parameters(scene)) for effect in fit.effects])
+    return dict(zip(map(type, fit.effects), np.split(fit.theta, ends[:-1]), strict=False))
 
 
 def append_scene(scene: Scene, ahead: Scene) -> Scene:

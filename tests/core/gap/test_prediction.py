@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-import numpy as np
+from dataclasses import replace
 
+import numpy as np
+import pytest
+
+from core.effects.library import library
 from core.effects.scene import PER_ROW
 from core.gap.basis import basis_of
-from core.gap.prediction import append_scene
-from tests.synthetic import payload, record, run_of
+from core.gap.effect_fit import fit_effects, fit_nominal
+from core.gap.prediction import Prediction, append_scene
+from core.gap.rehearsal import rehearse
+from core.gap.windows import Windows
+from core.planning.stop import Stop
+from tests.synthetic import Imperfections, payload, record, run_of
 
 
 def test_whatever_is_known_of_each_row_is_known_of_both() -> None:
@@ -16,3 +24,17 @@ def test_whatever_is_known_of_each_row_is_known_of_both() -> None:
     assert both.joint_inertia.shape == (2 * len(scene), 7, 7)
     for name in set(PER_ROW) - {"motion"}:
         assert getattr(scene, name) is None or len(getattr(both, name)) == 2 * len(scene), name
+
+
+def test_an_effect_that_both_explanations_have_puts_nothing_between_them() -> None:
+    recording = record(run_of(repetitions=1), payload("steel_block"), np.random.default_rng(1), Imperfections(drift_n=2.0))
+    windows, effects = Windows(basis_of(recording)), {effect.id: effect for effect in library()}
+    nominal = fit_nominal(windows)
+    scene = windows.basis.scene.with_phi(nominal.phi)
+    drift = effects["sensor_drift"]
+    first = fit_effects(windows, (drift,), nominal, drift.starts(scene, windows.on_grid(nominal.residual)))
+    prediction = Prediction(windows, rehearse(recording, windows.basis.poses, (Stop(down=(0.0, 0.0, 1.0)),)), first)
+    other = replace(first, theta=first.theta + 3.0 * first.theta_std)
+    assert prediction.distance_sigma(first, other) == pytest.approx(0.0, abs=0.01)
+    without = fit_effects(windows, (effects["base_tilt"],), nominal, effects["base_tilt"].starts(scene, windows.on_grid(nominal.residual)))
+    assert prediction.distance_sigma(first, without) > 1.0
