@@ -14,10 +14,18 @@ from playwright.sync_api import Browser, Route, expect
 from tests.server.real_service import Console, RealService
 from tests.web.judgement import check_looks
 from tests.web.looks import look
+from tests.web.patient_cells import console_service
 from tests.web.screens import on_page
 from tests.web.tablet import Tablet
 
 INTERVAL = 1.96
+
+
+@pytest.fixture(scope="module")
+def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
+    """One with no runs but these, which are counted."""
+    with console_service(tmp_path_factory.mktemp("history")) as running:
+        yield running
 
 
 @pytest.fixture(scope="module")

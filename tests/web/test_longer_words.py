@@ -18,7 +18,6 @@ from tests.web.people import BEN, PASSWORD, add_operator
 from tests.web.plain_words import MARK, words_of_no_catalogue
 from tests.web.screens import signed_in
 from tests.web.tablet import PATIENCE_MS, Tablet, tablet
-from tests.web.way import Way
 
 ADDRESS = "?words=longer"
 UNREACHABLE = "ERR_INTERNET_DISCONNECTED"
@@ -26,15 +25,22 @@ UNREACHABLE = "ERR_INTERNET_DISCONNECTED"
 
 
 @pytest.fixture(scope="module")
-def complete(service: RealService, way: Way) -> str:
-    """A run with a result; there is a key and a webhook as well."""
-    assert way.taps
+def complete(service: RealService) -> Iterator[str]:
+    """A run with an accepted result; there is a key and, as long as it is looked at, a webhook as well."""
     console = Console(service)
     console.http.post("/api/keys", json={"name": "line", "role": "mes"})
-    console.http.post("/api/webhooks", json={"url": "http://127.0.0.1:9/ended"})
-    found = console.http.get("/api/runs", params={"state": "Complete", "limit": 1}).json()
+    webhook = console.http.post("/api/webhooks", json={"url": "http://127.0.0.1:9/ended"}).json()["id"]
+    console.take_control()
+    run = console.queue()
+    console.wait(run, "Idle")
+    assert console.release(run).status_code == 200
+    assert console.finish(run)["state"] == "Complete"
+    assert console.http.post(f"/api/runs/{run}/acceptance").is_success
     console.leave()
-    return str(found[0]["run"])
+    yield run
+    console = Console(service)
+    console.http.delete(f"/api/webhooks/{webhook}")
+    console.leave()
 
 
 @pytest.fixture

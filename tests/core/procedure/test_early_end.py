@@ -79,8 +79,14 @@ def whole(plan) -> tuple[list[Event], Outcome]:
     return carry_out(plan, None)
 
 
-def test_a_target_that_is_reached_ends_the_run_and_the_robot_goes_home_along_the_plans_transfers(plan, whole):
-    events, outcome = carry_out(plan, Scripted(OPEN, OPEN, REACHED))  # a hold, a hold, one swing
+@pytest.fixture(scope="module")
+def early(plan) -> tuple[list[Event], Outcome]:
+    """A hold, a hold, one swing."""
+    return carry_out(plan, Scripted(OPEN, OPEN, REACHED))
+
+
+def test_a_target_that_is_reached_ends_the_run_and_the_robot_goes_home_along_the_plans_transfers(plan, whole, early):
+    events, outcome = early
     phases = [(event.phase, event.toward) for event in events if isinstance(event, PhaseStarted)]
     assert phases == [
         ("transfer", "x-"), ("hold:x-", ""), ("transfer", "x+"), ("hold:x+", ""), ("rotate:x", ""), ("hold:x+", ""),
@@ -121,8 +127,8 @@ def test_from_a_stop_with_a_way_home_of_its_own_the_robot_takes_that(plan, whole
     assert [event.step for event in events if isinstance(event, StepFinished)] == [1, 6]
 
 
-def test_time_left_only_ever_falls(plan):
-    events, _ = carry_out(plan, Scripted(OPEN, OPEN, REACHED))
+def test_time_left_only_ever_falls(early):
+    events, _ = early
     left_s = [event.total_s - event.done_s for event in events if isinstance(event, Progress)]
     assert np.diff(left_s).max() < 1e-6
     assert left_s[-1] < 0.05
