@@ -39,6 +39,7 @@ PIECES = {
     "first_minute": Message.of("effect-parameter-first-minute"),
     "first_moment": Message.of("effect-parameter-first-moment"),
     "force": Message.of("effect-parameter-force"),
+    "force_change": Message.of("effect-parameter-force-change"),
     "frequency": Message.of("effect-parameter-frequency"),
     "friction": Message.of("effect-parameter-friction"),
     "from": Message.of("effect-parameter-from"),

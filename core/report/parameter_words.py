@@ -38,6 +38,7 @@ CODES = {
     "first_minute": "report-of-first-minute",
     "first_moment": "report-of-first-moment",
     "force": "report-of-force",
+    "force_change": "report-of-force-change",
     "frequency": "report-of-frequency",
     "friction": "report-of-friction",
     "from": "report-of-from",

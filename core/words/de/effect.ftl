@@ -83,6 +83,7 @@ effect-parameter-duration = Dauer
 effect-parameter-first-minute = erste Minute
 effect-parameter-first-moment = statisches Moment
 effect-parameter-force = Kraft
+effect-parameter-force-change = Änderung der Kraft
 effect-parameter-frequency = Frequenz
 effect-parameter-friction = Reibung
 effect-parameter-from = aus

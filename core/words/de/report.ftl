@@ -310,6 +310,7 @@ report-of-duration = Dauer
 report-of-first-minute = erste Minute
 report-of-first-moment = statisches Moment
 report-of-force = Kraft
+report-of-force-change = Änderung der Kraft
 report-of-frequency = Frequenz
 report-of-friction = Reibung
 report-of-from = aus

@@ -83,6 +83,7 @@ effect-parameter-duration = duration
 effect-parameter-first-minute = first minute
 effect-parameter-first-moment = first moment
 effect-parameter-force = force
+effect-parameter-force-change = change of the force
 effect-parameter-frequency = frequency
 effect-parameter-friction = friction
 effect-parameter-from = from

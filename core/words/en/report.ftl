@@ -312,6 +312,7 @@ report-of-duration = duration
 report-of-first-minute = first minute
 report-of-first-moment = first moment
 report-of-force = force
+report-of-force-change = change of the force
 report-of-frequency = frequency
 report-of-friction = friction
 report-of-from = from
