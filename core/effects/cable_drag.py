@@ -23,8 +23,10 @@ ANCHORS = np.stack(np.meshgrid(*[(-0.8, -0.4, 0.0, 0.4, 0.8)] * 3), axis=-1).res
 """m, from the payload's first place: where a cable may be fixed, in the search before a fit."""
 SLACK = (0.2, 0.5, 0.8)
 """Quantiles of the distance to its fixed point at which a cable may tighten."""
+REEL_M = -5.0
+"""A free length far below zero: a reel or a balancer, which pulls alike at any distance."""
 STIFF = 10.0
-"""N/m, of the cables from which a fit starts."""
+"""N/m, of the cables from which a fit starts; a reel's is less, so that it pulls with some newtons."""
 LOOKED_AT = 600
 """The search looks at no more rows than about this many."""
 TRIED = 2
@@ -34,7 +36,8 @@ class CableDrag(Effect):
     """A hose or cable between the payload at r and a fixed point: spring with slack, Coulomb friction, and torsion of the wrist.
 
     `F = f max(0, 1 - s/|f|) - mu v / sqrt(v^2 + v_c^2)` with `f = c - k (p - p_0)`, base axes; p and v are of the point r. c is the pull
-    in the first sample if there were no slack, so the fixed point is `p_0 + c / k`, and `s / k` is the free length: a hose has `s = 0`.
+    in the first sample if there were no slack, so the fixed point is `p_0 + c / k`, and `s / k` is the free length: a hose has `s = 0`, and
+    what pulls already where it is not stretched, as a reel does, a negative one.
     Friction that acts on each axis of the base on its own, `mu_g v_i / sqrt(v_i^2 + v_c^2)`, has no mechanism behind it that we know
     of, but simulators have it, and linear guides along those axes would look like it.
     About the last joint, `T = -(k_1 x + k_2 x^2 + k_3 x^3) - mu_t z` with x the angle since the first sample (the constant is an offset)
@@ -55,7 +58,7 @@ class CableDrag(Effect):
             *(Parameter(f"pull_{axis}_n", "N", 0.0, -200.0, 200.0, 5.0) for axis in "xyz"),
             Parameter("friction_n", "N", 0.0, -1.0, 10.0, 0.5),
             *(Parameter(f"at_{axis}_m", "m", 0.0, -0.5, 0.5, 0.1) for axis in "xyz"),
-            Parameter("slack_n", "N", 0.0, 0.0, 200.0, 5.0),
+            Parameter("slack_n", "N", 0.0, -200.0, 200.0, 5.0),
             Parameter("guide_friction_n", "N", 0.0, -1.0, 10.0, 0.5),
         )
         if scene.q is None or scene.jacobian is None:
@@ -89,7 +92,7 @@ class CableDrag(Effect):
         slack = []
         for anchor, free in _find_cables(scene, residual):
             cable = np.zeros(len(parameters))
-            cable[[0, 1, 2, 3, 8]] = STIFF * np.array([1.0, *anchor, free])
+            cable[[0, 1, 2, 3, 8]] = STIFF * np.array([1.0, *anchor, free]) / (1.0 if free > 0.0 else 1.0 - free / np.ptp(ANCHORS))
             slack.append(cable)
         return [hose, *slack]
 
@@ -132,7 +135,7 @@ def twist(scene: Scene, theta: Array) -> Array:
 
 
 def _find_cables(scene: Scene, residual: Array) -> list[tuple[Array, float]]:
-    """Fixed points (m, from the first place) and free lengths (m) of the cables whose pull looks most like the residual.
+    """Fixed points (m, from the first place) and free lengths (m) of the cables and of the reel whose pull looks most like the residual.
 
     What payload and offsets take up does not count.
     """
@@ -146,10 +149,11 @@ def _find_cables(scene: Scene, residual: Array) -> list[tuple[Array, float]]:
     cables, gains = [], []
     for anchor in ANCHORS:
         away = anchor - p
-        for free in np.quantile(np.linalg.norm(away, axis=1), SLACK):
+        for free in (*np.quantile(np.linalg.norm(away, axis=1), SLACK), REEL_M):
             c = (-np.einsum("ni,nij->nj", taut(away, free), R) * scale).ravel()
             c -= Q @ (Q.T @ c)
             along = float(c @ residual[rows, :3].ravel())
             cables.append((anchor, float(free)))
             gains.append(along * abs(along) / max(float(c @ c), 1e-12))
-    return [cables[k] for k in np.argsort(gains)[: -TRIED - 1 : -1]]
+    best = [cables[k] for k in np.argsort(gains)[::-1]]
+    return [*[cable for cable in best if cable[1] > 0.0][:TRIED], *[cable for cable in best if cable[1] < 0.0][:1]]

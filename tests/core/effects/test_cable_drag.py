@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from core.effects.cable_drag import CableDrag
+from tests.core.effects import mechanical_truth as brisk
+from tests.core.effects.plain_fit import fitted
 from tests.core.effects.synthetic_scene import scene
 
 RUN = scene(seconds=9.0)
@@ -59,3 +62,13 @@ def test_a_search_before_the_fit_finds_a_cable_with_slack_on_the_right_side() ->
     starts = CableDrag().starts(RUN, (residual - residual.mean(axis=0)) / [0.1, 0.1, 0.1, 0.005, 0.005, 0.005])
     along = [start[1:4] @ (ANCHOR - PLACE[0]) / np.linalg.norm(start[1:4]) / np.linalg.norm(ANCHOR - PLACE[0]) for start in starts[1:]]
     assert max(along) > 0.8
+
+
+@pytest.mark.parametrize("anchor", [[0.3, -0.6, 1.4], [0.9, 0.3, 0.5]])
+def test_a_reel_that_pulls_alike_at_any_distance_is_a_cable_of_negative_length(anchor: list[float]) -> None:
+    run = brisk.scene()
+    away = np.array(anchor) - run.position - np.einsum("nij,j->ni", run.rotation, GRIP)
+    f = np.einsum("nij,ni->nj", run.rotation, 3.0 * away / np.linalg.norm(away, axis=1, keepdims=True))
+    fit = fitted(CableDrag(), run.nominal - np.hstack([f, np.cross(GRIP, f)]), 0.0)
+    assert fit.closure > 0.999
+    assert fit.theta[8] == pytest.approx(-3.0, abs=0.1)
