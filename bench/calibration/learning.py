@@ -56,12 +56,12 @@ def stack(trials: Sequence[Trial]) -> Cases:
     """Behind each other."""
     each = [count(trial.traces[0], trial.traces[1:]) for trial in trials]
     most = max(len(numbers.chi_square) for numbers in each)
-    chi_square, free, joined = (
+    chi_square, free, further = (
         np.array([np.pad(numbers[k], (0, most - len(numbers[k])), constant_values=fill) for numbers in each])
         for k, fill in enumerate((np.inf, 0.0, 0.0))
     )
     least, rows, left = (np.array([numbers[k] for numbers in each]) for k in (3, 4, 5))
-    return Cases(Numbers(chi_square, free, joined, least, rows, left), np.array([find_truth(trial) for trial in trials]))
+    return Cases(Numbers(chi_square, free, further, least, rows, left), np.array([find_truth(trial) for trial in trials]))
 
 
 def learn(cases: Cases, start: dict[str, float] | None = None) -> dict[str, float]:

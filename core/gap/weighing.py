@@ -90,14 +90,14 @@ class Numbers(NamedTuple):
     """One recording, or several behind each other: the nominal twin comes first, then the fits; infinite chi-square is no fit.
 
     Args:
-        chi_square, free, joined: (..., 1 + n), on unseen motions, parameters, effects beyond the first.
+        chi_square, free, further: (..., 1 + n), on unseen motions, parameters, effects beyond the first.
         least: (..., 1), the smallest chi-square; rows: (..., 1), equations.
         left: (..., 1), share of the gap that the best fit leaves.
     """
 
     chi_square: Array
     free: Array
-    joined: Array
+    further: Array
     least: Array
     rows: Array
     left: Array
@@ -135,12 +135,12 @@ def weigh_numbers(numbers: Numbers, figures: Mapping[str, float]) -> Array:
 def score(numbers: Numbers, figures: Mapping[str, float]) -> Array:
     """(..., 1 + n), log weights: how much worse than the best each predicts, less what its parameters cost, so that of two that predict
     alike the smaller one wins. The nominal twin is no approximation: what it predicts worse counts in full."""
-    chi_square, free, joined, least, rows, _ = numbers
+    chi_square, free, further, least, rows, _ = numbers
     beyond = find_beyond_chance(least, rows)
     scale, unit = 1.0 + beyond * rows / math.exp(figures["log_draws"]), np.maximum(1.0, least / rows)
     schwarz = figures["schwarz"] * np.log(rows * unit / scale)
     bent = 0.5 * math.exp(figures["log_bent"]) * np.maximum(0.0, chi_square[..., :1] - rows) / scale
-    costs = np.minimum(free, STIFF) * schwarz + np.maximum(free - STIFF, 0.0) * np.minimum(schwarz, bent) + figures["further"] * joined
+    costs = np.minimum(free, STIFF) * schwarz + np.maximum(free - STIFF, 0.0) * np.minimum(schwarz, bent) + figures["further"] * further
     worse = chi_square - least
     return np.concatenate([figures["none"] - 0.5 * worse[..., :1] / unit, -0.5 * worse[..., 1:] / scale - costs[..., 1:]], axis=-1)
 
@@ -155,7 +155,7 @@ def find_doubts(left: Array, figures: Mapping[str, float]) -> tuple[Array, Array
 
 def _score_nearness(numbers: Numbers) -> Array:
     """(..., 1 + n), log weights of what may be the truth although another one predicts better: the nearer to the noise, the sooner."""
-    nearness = -2.0 * np.log(np.maximum(numbers.chi_square / numbers.rows - 1.0, 1e-3)) - numbers.joined
+    nearness = -2.0 * np.log(np.maximum(numbers.chi_square / numbers.rows - 1.0, 1e-3)) - numbers.further
     any_fit = np.isfinite(numbers.chi_square[..., 1:]).any(axis=-1, keepdims=True)
     return np.concatenate([np.where(any_fit, -np.inf, nearness[..., :1]), nearness[..., 1:]], axis=-1)
 
