@@ -11,7 +11,7 @@ from scipy.optimize import minimize
 
 from bench.calibration.trial import Trial
 from core.array import Array
-from core.gap.weighing import Numbers, count, weigh_numbers
+from core.gap.weighing import Contest, count, weigh_numbers
 
 PRIOR = {
     "log_draws": (np.log(10.0), 1.0),
@@ -35,7 +35,7 @@ class Cases(NamedTuple):
     """Trials as they are learnt from: their numbers, padded to the same length, and the places (T,) of the truths among none, unknown and
     the fits."""
 
-    numbers: Numbers
+    numbers: Contest
     truths: NDArray[np.intp]
 
 
@@ -61,7 +61,7 @@ def stack(trials: Sequence[Trial]) -> Cases:
         for k, fill in enumerate((np.inf, 0.0, 0.0))
     )
     least, rows, left = (np.array([numbers[k] for numbers in each]) for k in (3, 4, 5))
-    return Cases(Numbers(chi_square, free, further, least, rows, left), np.array([find_truth(trial) for trial in trials]))
+    return Cases(Contest(chi_square, free, further, least, rows, left), np.array([find_truth(trial) for trial in trials]))
 
 
 def learn(cases: Cases, start: dict[str, float] | None = None) -> dict[str, float]:

@@ -36,7 +36,7 @@ def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit]) -> At
     none, unknown, shares = probabilities(nominal, fits)
     explained = tuple(sorted(zip(fits, shares, strict=True), key=lambda pair: -pair[1]))
     unit = max(1.0, float(np.sqrt(best.held_out.mean())))
-    return Attribution(none, unknown, explained, find_ties(windows, [fit for fit, _ in explained], unit), leftover(nominal, best))
+    return Attribution(none, unknown, explained, find_ties(windows, [fit for fit, _ in explained], unit), find_left_share(nominal, best))
 
 
 def choose_variants(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:
@@ -52,8 +52,3 @@ def probabilities(nominal: EffectFit, fits: list[EffectFit]) -> tuple[float, flo
     """Of no effect, of one that the library does not have, and of each fit; they sum to 1."""
     none, unknown, *shares = weigh(nominal, fits).tolist()
     return none, unknown, shares
-
-
-def leftover(nominal: EffectFit, fit: EffectFit) -> float:
-    """Share of the nominal twin's excess over noise that a fit leaves on unseen motions; what may be chance does not count."""
-    return find_left_share(nominal, fit)

@@ -17,8 +17,7 @@ from core.estimation.weak_form import RawFeatures, regressor_of
 from core.gap.calm_noise import find_fresh_noise
 from core.gap.fresh import find_fresh
 from core.gap.windows import ZERO_STD_RAD, Basis, Rows, window_matrix, window_rows
-from core.payload.inertia import Motion
-from core.payload.rotations import skew
+from core.payload.inertia import Motion, regressor
 from core.recording.recording import Recording
 
 GRID_S = 0.005
@@ -125,36 +124,20 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
     ends = [poses.t[part][[0, -1]] for part in stretches(poses.t)]
     t = np.concatenate([np.arange(first + 2.0 * narrow, last - 2.0 * narrow, grid) for first, last in ends])
     spread = reading = window_matrix(t, narrow, poses.t)
-    features = [(poses.g, poses.g), (raw.a, motion.a), (raw.B, _turning(motion))]
-    if fresh is not None:
-        reading = csr_array(spread @ fresh.between)
-    g, a, B = (_spread_over(spread, reading, *each) for each in features)
+    g, a, B = (np.asarray(spread @ x.reshape(len(poses.t), -1)).reshape(len(t), *x.shape[1:]) for x in (poses.g, raw.a, raw.B))
     omega = np.column_stack([np.interp(t, poses.t, channel) for channel in motion.omega.T])
     scene = replace(scene_of(recording, poses, Motion(g, a, omega, axial(B)), segments, t), window=narrow)
     known = recording.reference_of_whole
     reference = None if known is None else known.phi
     V, equations = regressor_of(a - g, B), window_rows(poses, t, 1.0 if fresh is None else fresh.every)
+    if fresh is not None:
+        # At uneven rows second differences let the noise of the poses through: what the lines between change is seen on the smooth motion.
+        reading = csr_array(spread @ fresh.between)
+        V += ((reading - spread) @ regressor(motion).reshape(len(poses.t), -1)).reshape(V.shape)
     if poses.position is None:
         equations = _take_rest(equations, g, np.asarray(spread @ still.astype(float)))
     measured, zero_std = np.asarray(reading @ wrench), find_zero_std(recording)
     return Basis(poses, noise, segments, scene, measured, V, reference, zero_std, spread, reading, raw.difference, equations)
-
-
-def _spread_over(spread: csr_array, reading: csr_array, raw: Array, smooth: Array) -> Array:
-    """A feature's samples (M, ...) on the grid (N, ...), as the readings are: straight between those that are fresh.
-
-    At uneven rows second differences let the noise of the poses through, so what straight lines make of the course is taken from the
-    smooth motion.
-    """
-    flat, course = raw.reshape(len(raw), -1), smooth.reshape(len(raw), -1)
-    told = spread @ flat if reading is spread else spread @ (flat - course) + reading @ course
-    return np.asarray(told).reshape(-1, *raw.shape[1:])
-
-
-def _turning(motion: Motion) -> Array:
-    """(N, 3, 3), `R^T R''`."""
-    W = skew(motion.omega)
-    return np.asarray(skew(motion.alpha) + W @ W)
 
 
 def _take_rest(rows: Rows, g: Array, still: Array) -> Rows:

@@ -13,7 +13,7 @@ from core.effects.external_contact import ExternalContact
 from core.effects.parameter_title import find_title
 from core.gap.answer import ContactPart, Diagnosis, Explanation, Pair, PayloadPart, Value, Where
 from core.gap.answering import answer, describe_gap, describe_payload, describe_values, with_likely
-from core.gap.attribution import Attribution, leftover
+from core.gap.attribution import Attribution
 from core.gap.closure import closure_of, gap_of
 from core.gap.contacts import Contact, Contacts, find_contacts
 from core.gap.effect_fit import EffectFit
@@ -22,7 +22,7 @@ from core.gap.fit_all import FitAll
 from core.gap.materiality import payload_shift
 from core.gap.problem import Problem
 from core.gap.symptoms import find_leading
-from core.gap.weighing import find_doubts, read_figures
+from core.gap.weighing import find_doubts, find_left_share, read_figures
 from core.gap.windows import Windows
 from core.recording.recording import Recording
 from core.words.message import Message
@@ -63,7 +63,7 @@ def find_touched(evidence: Evidence, effects: Sequence[Effect], fit_all: FitAll)
         return None  # nothing is free between two pauses: nobody knows what the sensor reads without a load there
     rest = gather(free, effects, fit_all)
     explained = rest.best if rest.verdict == "explained" and len(rest.best.effects) == 1 else rest.nominal
-    unknown, lapse = map(float, find_doubts(np.array(leftover(nominal, explained)), read_figures().figures))
+    unknown, lapse = map(float, find_doubts(np.array(find_left_share(nominal, explained)), read_figures().figures))
     probability = (1.0 - unknown) * (1.0 - lapse)
     if probability < EXPLAINED:
         return None

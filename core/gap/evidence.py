@@ -12,7 +12,7 @@ from core.effects.effect import Effect
 from core.effects.library import wider_shapes
 from core.effects.scene import Scene
 from core.gap.answer import Verdict
-from core.gap.attribution import Attribution, attribute, choose_variants, leftover, probabilities
+from core.gap.attribution import Attribution, attribute, choose_variants, probabilities
 from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.fit_all import FitAll, Task, on_all_cores
 from core.gap.materiality import is_material
@@ -20,6 +20,7 @@ from core.gap.most_rows import DRAWN, PARTS, fit_most
 from core.gap.partners import leave_out_each, partners
 from core.gap.proposal import Proposal
 from core.gap.tie import Tie, distance_sigma
+from core.gap.weighing import find_left_share
 from core.gap.windows import PHI, Windows
 from core.words.message import Message
 
@@ -108,7 +109,7 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     tasks += [task for task in richer if task.thetas]
     smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
     singles = choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
-    if leftover(nominal, min(singles, key=lambda fit: fit.chi_square, default=nominal)) > ONE_IS_CLEAR:
+    if find_left_share(nominal, min(singles, key=lambda fit: fit.chi_square, default=nominal)) > ONE_IS_CLEAR:
         singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, shown, fit_all)])
     joined = _join(windows, nominal, singles, shown, fit_all)
     attribution = attribute(windows, nominal, [*singles, *joined])
@@ -146,11 +147,11 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
     """Two effects at once, where one leaves something to explain, and where two do, three; each set once, as well as it was fitted."""
     fitted = {fit.name: fit for fit in singles}
     firsts = sorted(singles, key=lambda fit: fit.chi_square)[:FIRSTS]
-    if not firsts or leftover(nominal, firsts[0]) < ONE_IS_ENOUGH or probabilities(nominal, singles)[0] > EXPLAINED:
+    if not firsts or find_left_share(nominal, firsts[0]) < ONE_IS_ENOUGH or probabilities(nominal, singles)[0] > EXPLAINED:
         return []
     found: list[EffectFit] = []
-    most = leftover(nominal, firsts[0])
-    while leftover(nominal, firsts[0]) > ONE_IS_ENOUGH and len(firsts[0].effects) < MOST_TOGETHER:
+    most = find_left_share(nominal, firsts[0])
+    while find_left_share(nominal, firsts[0]) > ONE_IS_ENOUGH and len(firsts[0].effects) < MOST_TOGETHER:
         seen, grown = {first.name for first in firsts}, _fit_with_partners(windows, firsts, effects, fit_all)
         for _ in range(EXCHANGES):
             rests = [rest for fit in grown[:1] for rest in leave_out_each(windows, fit) if rest.name not in seen]
@@ -162,7 +163,7 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
         if not grown:
             break
         firsts, most = grown[:1], FURTHER_EXPLAINS * most
-        found += [fit for fit in grown if leftover(nominal, fit) < most and EQUATIONS * fit.free < fit.rows]
+        found += [fit for fit in grown if find_left_share(nominal, fit) < most and EQUATIONS * fit.free < fit.rows]
     return found
 
 

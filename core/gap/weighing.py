@@ -31,7 +31,7 @@ LEAST_SHARE = 1e-4
 """Of the gap: less than this is nothing left."""
 
 
-class Prediction(Protocol):
+class HeldOut(Protocol):
     """How well a fit predicts motions that it did not see: chi-square of so many rows, by so many free parameters of so many effects beyond
     the first."""
 
@@ -86,7 +86,7 @@ def read_figures() -> Figures:
     return Figures.model_validate_json(FILE.read_text(encoding="utf-8"))
 
 
-class Numbers(NamedTuple):
+class Contest(NamedTuple):
     """One recording, or several behind each other: the nominal twin comes first, then the fits; infinite chi-square is no fit.
 
     Args:
@@ -103,16 +103,16 @@ class Numbers(NamedTuple):
     left: Array
 
 
-def weigh(nominal: Prediction, fits: Sequence[Prediction]) -> Array:
+def weigh(nominal: HeldOut, fits: Sequence[HeldOut]) -> Array:
     """(2 + n,), probabilities of no effect, of one that the library does not have, and of each of the n fits; they sum to 1."""
     return weigh_numbers(count(nominal, fits), read_figures().figures)
 
 
-def count(nominal: Prediction, fits: Sequence[Prediction]) -> Numbers:
+def count(nominal: HeldOut, fits: Sequence[HeldOut]) -> Contest:
     """The numbers of one recording."""
     every = (nominal, *fits)
     best = min(fits, key=lambda fit: fit.chi_square, default=nominal)
-    return Numbers(
+    return Contest(
         np.array([fit.chi_square for fit in every]),
         np.array([float(fit.free) for fit in every]),
         np.array([float(fit.further) for fit in every]),
@@ -122,7 +122,7 @@ def count(nominal: Prediction, fits: Sequence[Prediction]) -> Numbers:
     )
 
 
-def weigh_numbers(numbers: Numbers, figures: Mapping[str, float]) -> Array:
+def weigh_numbers(numbers: Contest, figures: Mapping[str, float]) -> Array:
     """(..., 2 + n), probabilities as `weigh` has them."""
     shares = np.exp(log_softmax(score(numbers, figures), axis=-1))
     unknown, lapse = find_doubts(numbers.left, figures)
@@ -132,7 +132,7 @@ def weigh_numbers(numbers: Numbers, figures: Mapping[str, float]) -> Array:
     return np.concatenate([(1.0 - unknown) * none, unknown, (1.0 - unknown) * fits], axis=-1)
 
 
-def score(numbers: Numbers, figures: Mapping[str, float]) -> Array:
+def score(numbers: Contest, figures: Mapping[str, float]) -> Array:
     """(..., 1 + n), log weights: how much worse than the best each predicts, less what its parameters cost, so that of two that predict
     alike the smaller one wins. The nominal twin is no approximation: what it predicts worse counts in full."""
     chi_square, free, further, least, rows, _ = numbers
@@ -153,7 +153,7 @@ def find_doubts(left: Array, figures: Mapping[str, float]) -> tuple[Array, Array
     return unknown, lapse
 
 
-def _score_nearness(numbers: Numbers) -> Array:
+def _score_nearness(numbers: Contest) -> Array:
     """(..., 1 + n), log weights of what may be the truth although another one predicts better: the nearer to the noise, the sooner."""
     nearness = -2.0 * np.log(np.maximum(numbers.chi_square / numbers.rows - 1.0, 1e-3)) - numbers.further
     any_fit = np.isfinite(numbers.chi_square[..., 1:]).any(axis=-1, keepdims=True)
@@ -165,7 +165,7 @@ def find_beyond_chance(chi_square: Array, rows: Array) -> Array:
     return np.maximum(0.0, chi_square / rows - 1.0 - CHANCE_SIGMA * np.sqrt(2.0 / rows))
 
 
-def find_left_share(nominal: Prediction, fit: Prediction) -> float:
+def find_left_share(nominal: HeldOut, fit: HeldOut) -> float:
     """Share of the nominal twin's excess over noise that a fit leaves on unseen motions; at most 1."""
     beyond = float(find_beyond_chance(np.array(fit.chi_square), np.array(float(fit.rows))))
     return min(1.0, beyond / max(nominal.chi_square / nominal.rows - 1.0, 1e-9))

@@ -49,7 +49,7 @@ def walked(service: RealService, browser: Browser) -> Way:
         seen.see("plan", at)
         _release(seen, at)
         _hold(seen, at, browser)
-        _finish(at)
+        at.wait(".result table")
         seen.see("result", at)
         at.press("Accept")
         at.wait("text=Accepted by operator")
@@ -90,18 +90,3 @@ def _hold(seen: Way, at: Tablet, browser: Browser) -> None:
     at.page.get_by_role("button", name="Resume").tap()
     at.page.get_by_role("button", name="Hold").wait_for()
     at.page.go_back()
-
-
-def _finish(at: Tablet) -> None:
-    """To the result; where a machine with other work let the robot wait, it is resumed as a person would, beside the way."""
-    run = at.page.url.rsplit("/", 1)[1]
-    result = at.page.locator(".result table").first
-    held = at.page.locator(".held-notice")
-    while True:
-        result.or_(held).first.wait_for()
-        if result.is_visible():
-            return
-        now = at.page.request.get(f"http://{at.service.address}/api/runs/{run}").json()
-        assert now["lateness"], now["reason"]
-        at.page.get_by_role("button", name="Resume").tap()
-        held.wait_for(state="hidden")

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from core.effects.library import library
-from core.gap.attribution import leftover, probabilities
+from core.gap.attribution import probabilities
 from core.gap.effect_fit import EffectFit
+from core.gap.weighing import find_left_share
 
 BY_ID = {effect.id: effect for effect in library()}
 ROWS = 2000
@@ -61,7 +62,7 @@ def test_two_effects_that_leave_a_remainder_are_not_believed():
     """Together they bend onto much: what one effect may leave is too much for two."""
     nominal, alone = fit("", 100.0, 0), fit("base_tilt", 30.0)
     pair = fit("base_tilt+joint_offset", 4.0, 20)
-    assert leftover(nominal, pair) < 0.1
+    assert find_left_share(nominal, pair) < 0.1
     found = weighed(alone, pair)
     assert max(found, key=found.__getitem__) == "unknown"
     assert weighed(alone, fit("base_tilt+joint_offset", 0.0, 20))["base_tilt+joint_offset"] > 0.9

@@ -11,13 +11,14 @@ import pytest
 
 from core.effects.library import library
 from core.events import drive
-from core.gap.attribution import attribute, leftover
+from core.gap.attribution import attribute
 from core.gap.basis import basis_of
 from core.gap.closure import gap_of
 from core.gap.diagnosis import diagnose
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.residual import Residual
 from core.gap.tie import distance_sigma
+from core.gap.weighing import find_left_share
 from core.gap.windows import Windows
 from core.plant.imperfections import Imperfections
 from core.procedure.identify import carry_out
@@ -63,7 +64,7 @@ def test_a_tilted_base_is_named_sized_and_closed_on_motions_that_the_fit_did_not
     assert best.name == "base_tilt"
     assert probability > 0.9
     assert best.theta[0] == pytest.approx(0.01, abs=1e-3)  # 0.02 deg of tilt may hide in what every cell has
-    assert leftover(nominal, best) < 0.01
+    assert find_left_share(nominal, best) < 0.01
     assert sum(p for _, p in attribution.explained) + attribution.none + attribution.unknown == pytest.approx(1.0)
 
 
