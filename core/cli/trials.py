@@ -40,13 +40,13 @@ def trial(
     """The blind check: plant faults in the virtual robot, seal the answer, diagnose, open the seal, score."""
     wanted = seeds_of(seeds) if seeds else list(range(seed, seed + count))
     done = {} if report is None else read_outcomes(report)
+    if keep is not None:
+        _make_room(keep, [k for k in wanted if k not in done])
     where = on_cluster(dask) if dask else on_cores(min(processes or cores(), len(wanted)))
     with messages.status(find_wording().say("cli-planning")) if messages.is_terminal else nullcontext():
         drawn = [draw(k) for k in wanted]
     check_seals(drawn, done)
     missing = [one for one in drawn if one.sealed.seed not in done]
-    if keep is not None:
-        _make_room(keep, missing)
     for one in missing:
         told = find_wording().say("cli-trial-sealed", seed=one.sealed.seed, hash=one.sealed.hash)
         answers.print(told, highlight=False, soft_wrap=True)
@@ -87,11 +87,11 @@ def seeds_of(text: str) -> list[int]:
     return list(found)
 
 
-def _make_room(keep: Path, missing: Sequence[DrawnTrial]) -> None:
-    """Before anything long begins: no recording is there already."""
-    for one in missing:
-        if (keep / str(one.sealed.seed)).exists():
-            raise BadInput(str(keep / str(one.sealed.seed)), "cli-kept-already")
+def _make_room(keep: Path, seeds: Sequence[int]) -> None:
+    """Before anything long begins, drawing included: no recording is there already."""
+    for seed in seeds:
+        if (keep / str(seed)).exists():
+            raise BadInput(str(keep / str(seed)), "cli-kept-already")
     keep.mkdir(parents=True, exist_ok=True)
 
 

@@ -3,32 +3,19 @@
 from __future__ import annotations
 
 import json
-import os
 import shutil
-import subprocess
-import sys
-from pathlib import Path
 
 import pytest
 
+from tests.core.cli.command import ROOT, heft, heft_process
 from tests.core.new_cell.small_arm import arm, joint, link, write_arm
 
-ROOT = Path(__file__).parents[3]
 HAND = link("hand") + joint("grip", "flange", "hand", kind="fixed", rest="")
-
-
-def heft(*arguments: str | Path, cwd: Path) -> subprocess.CompletedProcess[str]:
-    """Runs the command in a pipe."""
-    environment = {**os.environ, "PYTHONPATH": str(ROOT), "COLUMNS": "200"}
-    command = [sys.executable, "-m", "core.cli", *map(str, arguments)]
-    return subprocess.run(
-        command, capture_output=True, text=True, cwd=cwd, env=environment, timeout=300, check=False, stdin=subprocess.DEVNULL
-    )
 
 
 def test_a_cell_is_made_checked_and_listed(tmp_path):
     file = write_arm(tmp_path, arm())
-    done = heft("cell", "new", "tried", "--urdf", file, "--mount", "flange", "--mount-xyz", 0, 0, 0.02, cwd=tmp_path)
+    done = heft_process("cell", "new", "tried", "--urdf", file, "--mount", "flange", "--mount-xyz", 0, 0, 0.02, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert (
         done.stdout.splitlines()[-1]

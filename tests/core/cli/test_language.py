@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -17,20 +14,9 @@ from core.cli.tables import diagnosis_table
 from core.gap.answering import not_enough
 from core.planning.summary import PlanTorques
 from core.words.message import Message
+from tests.core.cli.command import heft, heft_process
 from tests.core.export.cloud import cloud
 from tests.core.export.known_result import answer
-
-ROOT = Path(__file__).parents[3]
-
-
-def heft(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    """Runs the command in a pipe."""
-    clean = {name: value for name, value in os.environ.items() if name not in {"HEFT_LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"}}
-    return subprocess.run(
-        [sys.executable, "-m", "core.cli", *arguments],
-        capture_output=True, text=True, cwd=ROOT, timeout=300, check=False,
-        env=clean | {"PYTHONPATH": str(ROOT), "COLUMNS": "200", "PYTHONUTF8": "1"} | environment,
-    )  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -67,7 +53,7 @@ def test_a_plan_is_printed_in_german_and_its_json_is_what_it_always_is(tmp_path:
 
 
 def test_the_cells_are_listed_in_german() -> None:
-    done = heft("cells", HEFT_LANGUAGE="de")
+    done = heft_process("cells", HEFT_LANGUAGE="de")
     assert "Schutzzonen" in done.stdout
 
 

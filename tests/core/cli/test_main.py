@@ -3,40 +3,31 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import signal
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 import pytest
 
 from core.cell.folder import load_cell
 from core.payload.inertia import PHI_NAMES
 from core.recording.folder import read_recording
+from tests.core.cli.command import ROOT, heft, heft_process
 
-ROOT = Path(__file__).parents[3]
 REAL = ROOT.parent / "shared" / "real"
 
 
-def heft(*arguments: str, cwd: Path = ROOT) -> subprocess.CompletedProcess[str]:
-    """Runs the command in a pipe."""
-    command = [sys.executable, "-m", "core.cli", *arguments]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT), "COLUMNS": "200"}
-    return subprocess.run(command, capture_output=True, text=True, cwd=cwd, env=environment, timeout=300, check=False)
-
-
 def test_help_names_every_command():
-    done = heft("--help")
+    done = heft_process("--help")
     assert done.returncode == 0
     for command in ("run", "identify", "plan", "cells"):
         assert command in done.stdout
 
 
 def test_cells_are_listed_with_their_zones():
-    done = heft("cells")
+    done = heft_process("cells")
     assert done.returncode == 0
     assert "lwr4_bench" in done.stdout
     assert "ur5e_line" in done.stdout
@@ -78,7 +69,7 @@ def test_each_flaw_of_a_cell_is_a_line(tmp_path):
 
 def test_a_plan_moves_nothing_and_says_what_would_be_done(tmp_path):
     file = tmp_path / "plan.json"
-    done = heft("plan", "lwr4_bench", "--payload", "cylinder", "--json", str(file))
+    done = heft_process("plan", "lwr4_bench", "--payload", "cylinder", "--json", str(file))
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""  # quiet in a pipe
     plan = json.loads(file.read_text())
@@ -115,7 +106,7 @@ def test_identify_answers_on_real_static_poses_that_the_inertia_is_not_excited()
 
 
 def test_identify_sees_no_payload_in_the_joint_torques_of_an_arm_without_one():
-    done = heft("identify", str(REAL / "kuka-lwr4-torques-1"))
+    done = heft_process("identify", str(REAL / "kuka-lwr4-torques-1"))
     assert done.returncode == 0, done.stderr
     assert "No payload is seen" in done.stdout
 
