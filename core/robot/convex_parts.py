@@ -52,16 +52,21 @@ def convex_parts(vertices: Array, triangles: Triangles) -> list[Array]:
     whole = hull_points(vertices)
     if whole is None:
         return []
-    if stand_off(vertices[triangles], whole) <= STANDS_OFF_M:
+    if not stands_off(vertices[triangles], whole, STANDS_OFF_M):
         return [whole]
     return _join_pieces(_pieces(vertices[triangles], 0), HARDLY * _volume(whole))
 
 
-def stand_off(soup: Array, hull: Array) -> float:
-    """How far the surface of a hull of points (k, 3) is from triangles (m, 3, 3) at most, m."""
+def stands_off(soup: Array, hull: Array, limit_m: float) -> bool:
+    """Whether the surface of a hull of points (k, 3) is anywhere farther than `limit_m` from triangles (m, 3, 3).
+
+    How far is not asked: before a flat wall a metre away half of its points are nearly the nearest one, and all would be looked at.
+    """
     found = ConvexHull(hull)
     step = max(_STEP_M, float(np.sqrt(found.area / _MOST_POINTS)))
-    return float(np.max(cKDTree(_sample_triangles(soup, step)).query(_sample_triangles(hull[found.simplices], step))[0]))
+    surface = cKDTree(_sample_triangles(soup, step), balanced_tree=False)
+    distance, _ = surface.query(_sample_triangles(hull[found.simplices], step), distance_upper_bound=np.nextafter(limit_m, np.inf))
+    return bool(np.isinf(distance).any())  # what is not nearer than the bound
 
 
 def _sample_triangles(soup: Array, step: float) -> Array:
@@ -95,7 +100,7 @@ def _pieces(soup: Array, depth: int) -> list[Array]:
     corners = hull_points(points)
     if corners is None:
         return [points]
-    if depth == DEPTH or (depth > 0 and stand_off(soup, corners) <= STANDS_OFF_M):
+    if depth == DEPTH or (depth > 0 and not stands_off(soup, corners, STANDS_OFF_M)):
         return [corners]
     axis, height = _best_cut(soup, points)
     sides = [_clip(soup, axis, height, sign) for sign in (1.0, -1.0)]

@@ -8,19 +8,15 @@ from pathlib import Path
 import pytest
 
 from core.cell.cell import TWIN_FILE, Cell
-from core.cell.folder import load_cell
+from core.cell.folder import find_cell, load_cell
 from core.effects.library import library
 from core.errors import BadTwin
-from core.events import drive
 from core.gap.diagnosis import diagnose, examine
 from core.gap.twin_addition import addable_to, with_effect
-from core.plant.imperfections import Imperfections
-from core.procedure.identify import carry_out
 from core.recording.folder import write_recording
 from core.recording.recording import Recording
-from core.sessions.simulated import SimulatedSession
-from core.trial import plan_each_payload
 from core.twin.twin import NOMINAL
+from tests.core.gap.recorded_run import recorded
 
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "payload_shift"))
 
@@ -28,16 +24,13 @@ FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_d
 @pytest.fixture(scope="module")
 def late() -> Recording:
     """A run in which the wrench was late."""
-    cell, plans = plan_each_payload("lwr4_bench")
-    carried = cell.payloads["cylinder"]
-    session = SimulatedSession(cell, carried.parameters, seed=4, imperfections=Imperfections(wrench_delay_s=0.02))
-    return drive(carry_out(cell, session, carried.box, plans["cylinder"])).recording
+    return recorded(delay_s=0.02)
 
 
 @pytest.fixture(scope="module")
 def cell(tmp_path_factory: pytest.TempPathFactory) -> Cell:
     folder = tmp_path_factory.mktemp("cell") / "lwr4_bench"
-    shutil.copytree(plan_each_payload("lwr4_bench")[0].folder, folder, ignore=shutil.ignore_patterns(TWIN_FILE))
+    shutil.copytree(find_cell("lwr4_bench"), folder, ignore=shutil.ignore_patterns(TWIN_FILE))
     return load_cell(folder)
 
 
@@ -60,7 +53,7 @@ def test_what_is_offered_is_added_and_what_is_not_is_refused_for_the_reason_that
 def test_a_cell_is_offered_nothing_that_was_recorded_in_another(late: Recording, cell: Cell, tmp_path: Path) -> None:
     write_recording(late, tmp_path / "late")
     own, _ = examine(late, FEW, folder=tmp_path / "late")
-    elsewhere = addable_to(own, plan_each_payload("ur5e_line")[0])
+    elsewhere = addable_to(own, load_cell(find_cell("ur5e_line")))
     assert not any(each.addable for each in (*elsewhere.effects, *elsewhere.pairs))
     assert str(elsewhere.effects[0].why_not) == "a recording of the cell 'lwr4_bench'"
     assert addable_to(own, cell) == own

@@ -3,44 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 import pytest
 
-from core.cell.cell import Cell
 from core.effects.library import library
-from core.events import drive
 from core.gap.answer import Also, Diagnosis
 from core.gap.diagnosis import diagnose
 from core.payload.inertia import InertialParameters
-from core.plant.faults import Setting, variants
-from core.plant.imperfections import Imperfections
 from core.plant.mechanics import Drives
-from core.procedure.identify import carry_out
 from core.recording.recording import COLUMNS, Recording
-from core.sessions.simulated import SimulatedSession
-from core.trial import plan_each_payload
+from tests.core.gap.recorded_run import plan_of, recorded
 
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
 PAYLOAD = "cylinder"
-
-
-@cache
-def recorded(name: str = "lwr4_bench", *, delay_s: float = 0.0, drives: Drives | None = None, magnet: float = 0.0) -> Recording:
-    """A run of the default robot, or of one with other drives, a late wrench, or a magnet nearby, which no effect describes."""
-    cell, plans = plan_each_payload(name)
-    carried, plan = cell.payloads[PAYLOAD], plans[PAYLOAD]
-    session = SimulatedSession(
-        cell, carried.parameters, seed=4, drives=drives or Drives(), imperfections=Imperfections(wrench_delay_s=delay_s),
-        faults=(_magnet(cell, magnet, plan.robot_s),) if magnet else (),
-    )  # fmt: skip
-    return drive(carry_out(cell, session, carried.box, plan, payload=PAYLOAD)).recording
-
-
-def _magnet(cell: Cell, size: float, robot_s: float):  # type: ignore[no-untyped-def]  # a fault
-    kinds = {fault.variant: fault for fault in variants("unknown")}
-    return kinds["magnetic_field"].draw(np.random.default_rng(1), size, Setting(cell, cell.payloads[PAYLOAD].parameters, robot_s))
 
 
 def noisy(run: Recording) -> Recording:
@@ -58,7 +34,7 @@ def with_rows_dropped(run: Recording) -> Recording:
 
 def with_reference_off(run: Recording) -> Recording:
     """The payload is 4 % heavier than the reference says."""
-    return replace(run, reference=InertialParameters(plan_each_payload("lwr4_bench")[0].payloads[PAYLOAD].parameters.phi / 1.04))
+    return replace(run, reference=InertialParameters(plan_of("lwr4_bench", PAYLOAD)[0].payloads[PAYLOAD].parameters.phi / 1.04))
 
 
 SPOILT = {"sensor_noise": noisy, "sample_dropout": with_rows_dropped, "payload_mismatch": with_reference_off}
@@ -137,7 +113,7 @@ def test_it_does_not_take_the_place_of_unknown(spoilt: str) -> None:
 
 @pytest.mark.parametrize("off", [1.0, pytest.param(1.01, marks=pytest.mark.thorough)])
 def test_a_reference_is_not_doubted_where_a_gap_of_unknown_cause_may_be_why(off: float) -> None:
-    true = plan_each_payload("lwr4_bench")[0].payloads[PAYLOAD].parameters
+    true = plan_of("lwr4_bench", PAYLOAD)[0].payloads[PAYLOAD].parameters
     diagnosis = diagnose(replace(recorded(magnet=4.0), reference=InertialParameters(off * true.phi)), FEW)
     mismatch = beside(diagnosis).get("payload_mismatch")
     assert diagnosis.verdict == "unknown"

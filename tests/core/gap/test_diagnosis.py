@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from core.effects.library import library
-from core.events import drive
 from core.gap.attribution import attribute
 from core.gap.basis import basis_of
 from core.gap.closure import gap_of
@@ -20,25 +18,12 @@ from core.gap.residual import Residual
 from core.gap.tie import distance_sigma
 from core.gap.weighing import find_left_share
 from core.gap.windows import Windows
-from core.plant.imperfections import Imperfections
-from core.procedure.identify import carry_out
 from core.recording.folder import read_recording
 from core.recording.recording import Recording
-from core.sessions.simulated import SimulatedSession
-from core.trial import plan_each_payload
+from tests.core.gap.recorded_run import recorded
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
-
-
-@cache
-def recorded(tilt: float = 0.0, delay: float = 0.0) -> Recording:
-    """A run with the cylinder."""
-    cell, plans = plan_each_payload("lwr4_bench")
-    carried = cell.payloads["cylinder"]
-    imperfections = Imperfections(base_tilt_rad=(tilt, 0.0), wrench_delay_s=delay)
-    session = SimulatedSession(cell, carried.parameters, seed=4, imperfections=imperfections)
-    return drive(carry_out(cell, session, carried.box, plans["cylinder"])).recording
 
 
 def fitted(recording: Recording) -> tuple[Windows, EffectFit, list[EffectFit]]:
@@ -58,7 +43,7 @@ def test_a_run_without_faults_has_a_gap_of_noise_alone():
 
 
 def test_a_tilted_base_is_named_sized_and_closed_on_motions_that_the_fit_did_not_see():
-    windows, nominal, fits = fitted(recorded(tilt=0.01))
+    windows, nominal, fits = fitted(recorded(tilt_rad=0.01))
     attribution = attribute(windows, nominal, fits)
     best, probability = attribution.explained[0]
     assert best.name == "base_tilt"
@@ -70,7 +55,7 @@ def test_a_tilted_base_is_named_sized_and_closed_on_motions_that_the_fit_did_not
 
 @pytest.mark.thorough
 def test_a_late_wrench_is_told_from_a_filtered_one():
-    windows, nominal, fits = fitted(recorded(delay=0.02))
+    windows, nominal, fits = fitted(recorded(delay_s=0.02))
     by_name = {fit.name: fit for fit in fits}
     assert attribute(windows, nominal, fits).explained[0][0].name == "time_delay"
     assert by_name["time_delay"].theta[0] == pytest.approx(0.02, abs=5e-4)
@@ -78,7 +63,7 @@ def test_a_late_wrench_is_told_from_a_filtered_one():
 
 
 def test_shares_of_the_gap_sum_to_one_and_its_place_is_said():
-    windows, nominal, _ = fitted(recorded(delay=0.02))
+    windows, nominal, _ = fitted(recorded(delay_s=0.02))
     residual = Residual(windows, nominal)
     assert sum(patch.share for patch in residual.patches) == pytest.approx(1.0)
     assert residual.patches[0].channel in residual.describe().text
@@ -86,7 +71,7 @@ def test_shares_of_the_gap_sum_to_one_and_its_place_is_said():
 
 
 def test_the_whole_diagnosis_of_a_delay_names_it_and_leaves_the_recording_alone():
-    recording = recorded(delay=0.02)
+    recording = recorded(delay_s=0.02)
     before = recording.wrench.copy()
     diagnosis = diagnose(recording, effects=FEW)
     assert (diagnosis.verdict, diagnosis.effects[0].id) == ("explained", "time_delay")

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from core.effects.library import library
-from core.events import drive
 from core.gap.closure import gap_of
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
@@ -18,25 +16,17 @@ from core.gap.fit_all import one_by_one
 from core.gap.limits import GAP
 from core.gap.materiality import find_moved_parameters, is_doubtful, is_material
 from core.payload.inertia import InertialParameters
-from core.plant.faults import Setting, variants
 from core.plant.mechanics import Drives
-from core.procedure.identify import carry_out
 from core.recording.recording import Recording
-from core.sessions.simulated import SimulatedSession
-from core.trial.draw import plan_each_payload
+from tests.core.gap.recorded_run import plan_of, recorded
 
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
 
 
-@cache
 def near_a_magnet() -> tuple[Recording, InertialParameters]:
     """A run past a magnet, which no effect describes: a gap of 1.5, and an inertia that is off. With the true payload."""
-    cell, plans = plan_each_payload("ur5e_line")
-    carried, plan = cell.payloads["cylinder"], plans["cylinder"]
-    kinds = {fault.variant: fault for fault in variants("unknown")}
-    magnet = kinds["magnetic_field"].draw(np.random.default_rng(1), 0.45, Setting(cell, carried.parameters, plan.robot_s))
-    session = SimulatedSession(cell, carried.parameters, seed=4, faults=(magnet,), drives=Drives(damping_s=0.0, friction=0.0))
-    return drive(carry_out(cell, session, carried.box, plan)).recording, carried.parameters
+    recording = recorded("ur5e_line", magnet=0.45, drives=Drives(damping_s=0.0, friction=0.0))
+    return recording, plan_of("ur5e_line", "cylinder")[0].payloads["cylinder"].parameters
 
 
 def examined(reference: InertialParameters | None) -> tuple[str, Evidence, set[str]]:

@@ -9,14 +9,11 @@ import numpy as np
 import pytest
 
 from core.effects.library import library
-from core.events import drive
 from core.gap.basis import basis_of
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.tie import INSEPARABLE_SIGMA, distance_sigma, find_ties
 from core.gap.windows import Windows
-from core.procedure.identify import carry_out
-from core.sessions.simulated import SimulatedSession
-from core.trial import plan_each_payload
+from tests.core.gap.recorded_run import recorded
 
 NAMES = ("sensor_gain", "sensor_nonlinearity", "time_delay", "sensor_lowpass")
 BY_ID = {effect.id: effect for effect in library()}
@@ -25,11 +22,8 @@ BY_ID = {effect.id: effect for effect in library()}
 @cache
 def fitted(seed: int, gain: float) -> tuple[Windows, dict[str, EffectFit]]:
     """A run with the cylinder, its force along z multiplied by a factor, and what explains it."""
-    cell, plans = plan_each_payload("lwr4_bench")
-    carried = cell.payloads["cylinder"]
-    session = SimulatedSession(cell, carried.parameters, seed=seed)
+    recording = recorded(seed=seed)
     shown = np.array([1.0, 1.0, gain, 1.0, 1.0, 1.0])
-    recording = drive(carry_out(cell, session, carried.box, plans["cylinder"])).recording
     windows = Windows(basis_of(replace(recording, wrench=shown * recording.wrench)))
     return windows, fit_each(windows)
 

@@ -12,25 +12,23 @@ import pytest
 from typer.testing import CliRunner
 
 from core.cell.cell import TWIN_FILE, Cell
-from core.cell.folder import load_cell
+from core.cell.folder import find_cell, load_cell
 from core.cli.main import app
 from core.effects.library import library
 from core.errors import BadTwin
 from core.estimation.identification import identify_recording
-from core.events import drive
 from core.gap.addition import add_found
 from core.gap.answer import Diagnosis
 from core.gap.diagnosis import diagnose, examine
 from core.gap.twin_addition import find_effects, with_effect
 from core.plant.imperfections import Imperfections
 from core.plant.mechanics import Drives
-from core.procedure.identify import carry_out
 from core.recording.folder import read_recording, recording_sha256, write_recording
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import plan_each_payload
 from core.twin.file import read_twin
 from core.twin.twin import NOMINAL
+from tests.core.gap.recorded_run import plan_of, record
 
 PAYLOAD = "gripper"
 TILT_RAD, DELAY_S = np.radians(0.5), 0.015
@@ -41,21 +39,20 @@ FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_d
 runner = CliRunner()
 
 
-def recorded(cell: Cell, **options: object) -> Recording:
+def record_with(cell: Cell, **options: object) -> Recording:
     """A run in the simulation."""
     carried = cell.payloads[PAYLOAD]
     session = SimulatedSession(cell, carried.parameters, seed=4, drives=SMOOTH, **options)  # type: ignore[arg-type]  # any option
-    plan = plan_each_payload("lwr4_bench")[1][PAYLOAD]
-    return drive(carry_out(cell, session, carried.box, plan, payload=PAYLOAD)).recording
+    return record(cell, session, plan_of("lwr4_bench", PAYLOAD)[1], PAYLOAD)
 
 
 @pytest.fixture(scope="module")
 def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Folders of a cell and of a run in which its base was tilted and its wrench late."""
     folder = tmp_path_factory.mktemp("loop")
-    shutil.copytree(plan_each_payload("lwr4_bench")[0].folder, folder / "lwr4_bench", ignore=shutil.ignore_patterns(TWIN_FILE))
+    shutil.copytree(find_cell("lwr4_bench"), folder / "lwr4_bench", ignore=shutil.ignore_patterns(TWIN_FILE))
     faults = Imperfections(base_tilt_rad=(TILT_RAD, 0.0), wrench_delay_s=DELAY_S)
-    write_recording(recorded(load_cell(folder / "lwr4_bench"), imperfections=faults), folder / "faulty")
+    write_recording(record_with(load_cell(folder / "lwr4_bench"), imperfections=faults), folder / "faulty")
     return folder
 
 
@@ -82,7 +79,7 @@ def completed(place: Path) -> Cell:
 @pytest.fixture(scope="module")
 def simulated(completed: Cell) -> Recording:
     """A run of the simulation without the faults, with the twin."""
-    return recorded(completed, twin=read_twin(completed))
+    return record_with(completed, twin=read_twin(completed))
 
 
 def test_the_entries_have_the_planted_sizes_and_say_where_they_come_from(completed: Cell, place: Path) -> None:
@@ -142,7 +139,7 @@ def test_the_twins_own_run_shows_what_was_planted(faulty: Recording, simulated: 
     assert faulty.wrench is not None and simulated.wrench is not None
     smooth = np.ones(25) / 25  # the two differ in how noise is made; means of 25 ms are below it
     apart = np.column_stack([np.convolve(x, smooth, "valid") for x in (simulated.wrench - faulty.wrench).T])
-    noise = plan_each_payload("lwr4_bench")[0].sensor.noise_std
+    noise = load_cell(find_cell("lwr4_bench")).sensor.noise_std
     assert (apart.std(axis=0) < 0.5 * np.array(noise)).all()
     found = diagnose(simulated, FEW)
     assert {*found.pairs[0].ids} == {"time_delay", "base_tilt"}
@@ -150,7 +147,7 @@ def test_the_twins_own_run_shows_what_was_planted(faulty: Recording, simulated: 
 
 @pytest.mark.thorough
 def test_a_change_of_what_the_twin_has_is_found_as_that_effect(completed: Cell) -> None:
-    repaired = recorded(completed, imperfections=Imperfections(base_tilt_rad=(TILT_RAD, 0.0)))
+    repaired = record_with(completed, imperfections=Imperfections(base_tilt_rad=(TILT_RAD, 0.0)))
     found = diagnose(repaired, FEW, read_twin(completed))
     assert (found.verdict, found.effects[0].id) == ("explained", "time_delay")
     assert found.effects[0].parameters["delay_s"].value == pytest.approx(0.0, abs=5e-4)
@@ -207,6 +204,6 @@ def test_what_is_no_effect_on_the_wrench_is_refused(identifier: str, words: str)
 
 
 def test_a_recording_of_another_cell_is_refused(place: Path) -> None:
-    other = load_cell(plan_each_payload("lwr4_bench")[0].folder.parent / "ur5e_line")
+    other = load_cell(find_cell("ur5e_line"))
     with pytest.raises(BadTwin, match="'lwr4_bench', expected 'ur5e_line'"):
         with_effect(NOMINAL, other, place / "faulty", "time_delay")

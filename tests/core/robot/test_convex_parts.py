@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from scipy.spatial import ConvexHull
 
 from core.array import Array
-from core.robot.convex_parts import MOST_PARTS, STANDS_OFF_M, convex_parts, stand_off
+from core.robot.convex_parts import MOST_PARTS, convex_parts, stands_off
 from tests.core.robot.mesh_bytes import FLAT, elbow
 
 
@@ -87,6 +87,5 @@ def test_a_flat_mesh_has_no_parts() -> None:
 
 def test_the_hull_of_a_cup_stands_off_half_as_far_as_it_is_wide() -> None:
     mesh = cup(0.005)
-    found = stand_off(np.array(mesh.triangles), np.array(mesh.convex_hull.vertices))
-    assert found == pytest.approx(0.095, abs=0.006)
-    assert found > STANDS_OFF_M
+    triangles, hull = np.array(mesh.triangles), np.array(mesh.convex_hull.vertices)
+    assert [stands_off(triangles, hull, limit_m) for limit_m in (0.03, 0.089, 0.101)] == [True, True, False]
