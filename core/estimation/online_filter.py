@@ -15,6 +15,9 @@ from core.estimation.kinematic_filter import START_VARIANCE, find_bandwidth, int
 from core.payload.inertia import Motion
 from core.robot.rotations import exponential, logarithm
 
+SAME_GAIN = 1e-12
+"""Share by which the gain still changes when it has settled; from then on filterpy's steady-state steps do the same for a fraction."""
+
 
 class KinematicFilter:
     """Orientation, angular velocity and acceleration, position, velocity and acceleration, from poses, sample by sample.
@@ -42,7 +45,7 @@ class KinematicFilter:
         kf.x = np.zeros(18)
         self._filter = kf
         self._rotation = np.eye(3)
-        self._started = False
+        self._started = self._settled = False
 
     def update(self, rotation: Array, position: Array) -> None:
         """Takes the pose of the next period: rotation (3, 3) and position (3,) of the sensor in the base frame."""
@@ -52,11 +55,20 @@ class KinematicFilter:
             self._rotation = rotation.copy()
             kf.x[9:12] = position
             return
-        kf.predict()
+        if self._settled:
+            kf.predict_steadystate()
+        else:
+            kf.predict()
         self._absorb()
         innovation = np.empty(3)
         logarithm(rotation @ self._rotation.T, innovation)
-        kf.update(np.concatenate((innovation, position)))
+        measured = np.concatenate((innovation, position))
+        if self._settled:
+            kf.update_steadystate(measured)
+        else:
+            gain = kf.K
+            kf.update(measured)
+            self._settled = bool(np.abs(kf.K - gain).max() < SAME_GAIN * np.abs(kf.K).max())
         self._absorb()
 
     def _absorb(self) -> None:

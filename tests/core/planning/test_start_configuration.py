@@ -58,7 +58,7 @@ def boxes_of(cell: Cell) -> dict[str, Box]:
 
 
 @pytest.mark.parametrize("axis", AXES)
-@pytest.mark.parametrize("payload", ["default", "steel_block", "cylinder"])
+@pytest.mark.parametrize("payload", ["default", "cylinder", pytest.param("steel_block", marks=pytest.mark.thorough)])
 def test_every_pose_of_both_cells_is_found_and_another_library_finds_it_clear(cell, fcl_scene, axis, payload):
     box = boxes_of(cell)[payload]
     found = search(cell, axis, box, near=np.array(cell.robot.home_rad))

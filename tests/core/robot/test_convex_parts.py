@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
