@@ -243,13 +243,14 @@ class UniversalRobotsSession(ControllerSession):
         raise RobotStateLate("session-link-lost", value=LINK_S, limit=WATCHDOG_S, host=self._link.host) from error
 
     def _keep_alive(self) -> None:
+        self._number += self._mode == FOLLOW  # to stay where the last command was is a command, too: between two motions nobody gives one
         try:
             self._send(self._mode)
         except OSError as error:
             self._lose(error)
 
     def _send(self, mode: int) -> None:
-        """The present command, or the same once more: a sign of life."""
+        """The present command, or the same place once more: a sign of life."""
         self._mode = mode
         values: dict[str, float] = {NUMBER: self._number, MODE: mode}
         values |= dict(zip(JOINTS, self._q_cmd.tolist(), strict=True))

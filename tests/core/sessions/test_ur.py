@@ -175,6 +175,15 @@ def test_no_period_passes_without_a_command(bench):
     assert followed >= 495 and missed == 0 and session.missed == 0
 
 
+def test_between_two_motions_the_arm_is_told_to_stay_where_it_is(bench):
+    with bench.open() as session:
+        move(session, bench.cell, seconds=0.2)
+        session.state()  # in which the first has ended and the second not begun, while the lookahead still carries the arm on
+        move(session, bench.cell, seconds=0.2)
+        missed = bench.arm.missed
+    assert missed == 0
+
+
 def test_a_robot_that_stood_goes_on_after_the_loop_was_away(bench):
     """Planning takes seconds, and the watchdog ends the program meanwhile."""
     with bench.open() as session:
