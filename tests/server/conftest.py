@@ -129,8 +129,10 @@ def nothing_planned(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def app(settings: Settings, clock: Clock, checker: CellChecker) -> FastAPI:
-    return create_app(settings, now=clock, checker=checker)
+def app(settings: Settings, clock: Clock, checker: CellChecker, described_app: FastAPI) -> FastAPI:
+    made = create_app(settings, now=clock, checker=checker)
+    made.openapi_schema = described_app.openapi()  # that of every service; it takes a second to make
+    return made
 
 
 @pytest.fixture
