@@ -161,7 +161,10 @@ class Problem:
         normal = self.normal(J)
         normal[np.diag_indices_from(normal)] *= 1.0 + damping
         here = np.concatenate((beta, theta))
-        found = here + find_bounded_minimum(normal, right, self.bounds - here)
+        room = self.bounds - here
+        step = find_bounded_minimum(normal, right, room)
+        # not by an addition, which may round to either side: what is at a bound has to be told from what is free
+        found = np.select(list(step == room), list(self.bounds), here + step)
         return found[: len(beta)], np.clip(found[len(beta) :], self.lower, self.upper)
 
 

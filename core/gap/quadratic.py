@@ -14,7 +14,7 @@ LEAST_EIGENVALUE = 1e-15
 
 
 def find_bounded_minimum(normal: Array, right: Array, bounds: Array) -> Array:
-    """The x (n,) within bounds (2, n) that minimises x' normal x / 2 - right' x.
+    """The x (n,) within bounds (2, n) that minimises x' normal x / 2 - right' x; what is held at a bound is exactly there.
 
     Args:
         normal: (n, n), symmetric positive definite.
@@ -33,7 +33,7 @@ def find_bounded_minimum(normal: Array, right: Array, bounds: Array) -> Array:
         slope = A @ x - b
         new_below, new_above = (free & (x < low)) | (below & (slope >= 0.0)), (free & (x > high)) | (above & (slope <= 0.0))
         if np.array_equal(new_below, below) and np.array_equal(new_above, above):
-            return np.clip(x * scale, bounds[0], bounds[1])
+            return np.where(below, bounds[0], np.where(above, bounds[1], np.clip(x * scale, bounds[0], bounds[1])))
         below, above = new_below, new_above
     return _search_active_sets(A, b, bounds, scale)
 
@@ -49,7 +49,8 @@ def _search_active_sets(A: Array, b: Array, bounds: Array, scale: Array) -> Arra
         tol=1e-14,
         max_iter=100 * len(b),
     )
-    return np.clip(found.x * scale, bounds[0], bounds[1])
+    on_bounds = [found.active_mask < 0, found.active_mask > 0]
+    return np.select(on_bounds, list(bounds), np.clip(found.x * scale, bounds[0], bounds[1]))
 
 
 def solve_scaled(matrix: Array, right: Array) -> Array:

@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from core.gap.effect_fit import predict_held_out
+from core.effects.base_tilt import BaseTilt
+from core.effects.payload_shift import PayloadShift
+from core.effects.sensor_translation import SensorTranslation
+from core.gap.basis import basis_of
+from core.gap.effect_fit import fit_effects, fit_nominal, predict_held_out
+from core.gap.problem import SMALL
+from core.gap.windows import Windows
+from tests.foreign_recordings import make_long
 
 
 @pytest.mark.parametrize("precision_of_the_last", [1.0, 1e-14])
@@ -31,3 +39,21 @@ def test_what_a_motion_adds_is_what_a_fit_of_the_others_says_of_it(precision_of_
     for g in range(3):
         out = np.tile(group, 6) == g
         assert found[:, group == g].sum() == pytest.approx(least_cost(everything) - least_cost(~out), rel=1e-6)
+
+
+@pytest.mark.parametrize("late", [-20, 25])
+def test_an_imperfection_at_its_bound_is_exactly_there_and_stays_there_while_motions_are_left_out(late: int) -> None:
+    """A rounding inside of it would count as free: of a delay that no effect names, nothing might then seem to be left."""
+    pieces = list(make_long(12.0, 500.0, 0).pieces)
+    t, wrench, q = (np.concatenate([np.asarray(getattr(piece, name)) for piece in pieces]) for name in ("t", "wrench", "q"))
+    windows = Windows(basis_of(replace(pieces[0], t=t[40:-40], wrench=wrench[40 - late : len(t) - 40 - late], q=q[40:-40])))
+    fits = [nominal := fit_nominal(windows)]
+    for effect in (BaseTilt(), PayloadShift(), SensorTranslation()):
+        theta = np.array([p.absent + 0.5 * p.scale for p in effect.parameters(windows.basis.scene)])
+        fits.append(fit_effects(windows, (effect,), nominal, [theta]))
+    bounds = SMALL * windows.prior_std[windows.background]
+    for fit in fits:
+        small = np.abs(fit.beta[windows.background])
+        held = np.isclose(small, bounds, rtol=1e-9, atol=0.0)
+        assert held.any() and (small[held] == bounds[held]).all()
+        assert fit.held_out.mean() > np.square(fit.residual).mean() > 2.0

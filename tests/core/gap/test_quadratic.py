@@ -65,3 +65,14 @@ def test_where_no_bound_binds_it_is_the_solution_of_the_normal_equations() -> No
     A, b, _ = problem(3, 6)
     x = find_bounded_minimum(A.T @ A, A.T @ b, np.array([np.full(6, -1e9), np.full(6, 1e9)]))
     np.testing.assert_allclose(A.T @ A @ x, A.T @ b, rtol=1e-6, atol=1e-9 * np.abs(A.T @ b).max())
+
+
+@settings(max_examples=60, deadline=None)
+@given(seed=st.integers(0, 2**31), n=st.integers(1, 5))
+def test_what_a_bound_holds_is_exactly_there_and_what_lies_between_bounds_is_free(seed: int, n: int) -> None:
+    """Not a rounding off: who asks what is free compares."""
+    A, b, bounds = problem(seed, n)
+    x = find_bounded_minimum(A.T @ A, A.T @ b, bounds)
+    slope = (A.T @ (A @ x - b)) / np.linalg.norm(A, axis=0)
+    between = (x > bounds[0]) & (x < bounds[1])
+    assert np.abs(slope[between]).max(initial=0.0) < 1e-6 * np.linalg.norm(b)
