@@ -20,13 +20,14 @@ from core.gap.windows import ZERO_STD_RAD, Basis, Rows, window_matrix, window_ro
 from core.payload.inertia import Motion, regressor
 from core.recording.recording import Recording
 
-GRID_S = 0.005
-"""Period of the scene that effects are applied to."""
+GRID_S, MOST_INSTANTS = 0.005, 40_000
+"""Period of the scene that effects are applied to, up to so many of its instants (200 s): what lasts longer has a coarser one, and wider
+windows, as in identification; of ten minutes up to 6.7 Hz are seen instead of 20 Hz."""
 SMOOTHING_S = 0.036
 """Of the motion that effects act on: short enough for the corners of a trapezoid, long enough for the encoders' noise."""
 SHORTEST_S, FEWEST_SAMPLES = 3.0, 200
-NARROW_S = 0.0125
-"""Knot spacing of the narrow windows."""
+NARROW_S, NARROW = 0.0125, 2.5
+"""Knot spacing of the narrow windows, and the least of it in periods of the scene."""
 NOTHING_MOVES_RAD = 0.02
 LEAST_ZERO_STD_RAD = 1e-6
 """A prior needs some width."""
@@ -119,8 +120,8 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
     rows = np.arange(len(wrench)) if fresh is None else fresh.rows
     noise = find_fresh_noise(recording.t, wrench, still, segments, rows, nominal_std=recording.sensor.noise_std) or unknown_noise()
     raw = RawFeatures(poses)
-    grid = max(GRID_S, poses.period)
-    narrow = max(NARROW_S, 4.0 * poses.period)
+    grid = max(GRID_S, poses.period, float(np.ptp(poses.t)) / MOST_INSTANTS)
+    narrow = max(NARROW_S, 4.0 * poses.period, NARROW * grid)
     ends = [poses.t[part][[0, -1]] for part in stretches(poses.t)]
     t = np.concatenate([np.arange(first + 2.0 * narrow, last - 2.0 * narrow, grid) for first, last in ends])
     spread = reading = window_matrix(t, narrow, poses.t)
