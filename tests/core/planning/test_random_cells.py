@@ -92,14 +92,14 @@ def low_cell() -> RandomCell:
 
 def test_brute_force_tells_what_can_be_solved_from_what_cannot() -> None:
     drawn = low_cell()
-    search = BruteForce(drawn.cell, drawn.payload_box, candidates=300)
+    search = BruteForce(drawn.cell, drawn.payload_box, candidates=100)
     assert search.answer("x-").reachable
     assert search.answer("z-").poses == 0
 
 
 def test_a_refusal_is_confirmed_only_when_it_blames_the_right_axis() -> None:
-    true = judge_refusal(low_cell(), "no room", ("z-",), 0.0, candidates=300)
-    false = judge_refusal(low_cell(), "no room", ("x-",), 0.0, candidates=300)
+    true = judge_refusal(low_cell(), "no room", ("z-",), 0.0, candidates=100)
+    false = judge_refusal(low_cell(), "no room", ("x-",), 0.0, candidates=100)
     assert (true.confirmed, false.confirmed) == (True, False)
     assert not true.solvable
     assert not false.solvable  # another axis has no solution
