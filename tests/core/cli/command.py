@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from core.cli.main import main
+from core.cli.terminal import answers, messages
 
 ROOT = Path(__file__).parents[3]
 LANGUAGE_NAMES = ("HEFT_LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG")
@@ -28,6 +29,8 @@ def heft(*arguments: str | Path | float, cwd: Path = ROOT, **environment: str) -
             patch.delenv(name, raising=False)
         for name, value in ({"COLUMNS": "200"} | environment).items():
             patch.setenv(name, value)
+        for console in (answers, messages):  # made when they were imported, as wide as the terminal was then
+            patch.setattr(console, "width", int(os.environ["COLUMNS"]))
         patch.setattr(sys, "argv", ["heft", *map(str, arguments)])
         patch.setattr(sys, "stdin", io.StringIO())
         try:

@@ -251,11 +251,11 @@ def test_a_robot_that_stands_is_kept_while_nobody_asks_in_its_motion_and_after_a
         target = move(session, bench.cell)[-1].q_cmd
         session.stop()
         [session.state() for _ in range(300)]
-        bench.server.patience_s = None
-        time.sleep(0.5)
+        bench.server.patience_s = 0.05  # after twenty such periods without a command the arm stops
+        time.sleep(1.5)
         assert bench.arm.mode == IDLE
         session.release()
-        time.sleep(0.5)
+        time.sleep(1.5)
         stands = session.state().q_cmd
         assert np.abs(stands - target).max() < 0.1
         assert bench.arm.obeys and not bench.arm.errors
