@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import socket
 from collections.abc import Iterator
 from pathlib import Path
@@ -21,7 +22,8 @@ from server.people import accounts
 from server.people.accounts import Account
 from server.people.roles import Role
 from server.service import Service
-from server.settings import Settings
+from server.settings import STORE_FILE, Settings
+from server.store.store import Store
 from tests.server.declared_problems import find_undeclared
 from tests.server.made_people import HASH, As, Clock
 from tests.server.postgresql import Cluster, cluster
@@ -100,9 +102,23 @@ def declared_problems(described_app: FastAPI, monkeypatch: pytest.MonkeyPatch) -
     assert undeclared == []
 
 
+@pytest.fixture(scope="session")
+def new_tables(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A file with new, empty tables; to make them takes longer than most tests."""
+    file = tmp_path_factory.mktemp("tables") / STORE_FILE
+    store = Store(f"sqlite:///{file}")
+    store.migrate()
+    store.close()
+    return file
+
+
 @pytest.fixture
-def settings(tmp_path: Path, database_url: str | None) -> Settings:
-    return Settings(data=tmp_path / "data", database_url=database_url)
+def settings(tmp_path: Path, database_url: str | None, new_tables: Path) -> Settings:
+    data = tmp_path / "data"
+    if database_url is None:
+        data.mkdir()
+        shutil.copy(new_tables, data)
+    return Settings(data=data, database_url=database_url)
 
 
 @pytest.fixture
@@ -113,8 +129,10 @@ def nothing_planned(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def app(settings: Settings, clock: Clock, checker: CellChecker) -> FastAPI:
-    return create_app(settings, now=clock, checker=checker)
+def app(settings: Settings, clock: Clock, checker: CellChecker, described_app: FastAPI) -> FastAPI:
+    made = create_app(settings, now=clock, checker=checker)
+    made.openapi_schema = described_app.openapi()  # that of every service; it takes a second to make
+    return made
 
 
 @pytest.fixture

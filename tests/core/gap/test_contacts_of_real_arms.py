@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation, Slerp
 
+from core.effects.effect import Effect
+from core.effects.library import library
 from core.gap.basis import basis_of
 from core.gap.contacts import find_contacts
 from core.gap.diagnosis import diagnose
@@ -19,6 +21,9 @@ from core.recording.recording import Recording
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 GRAVITY = np.array([0.0, 0.0, -9.81])
+NEAREST = ("external_contact", "cable_drag", "payload_shift", "sensor_offset_step", "sensor_drift")
+RIVALS = tuple(effect for effect in library() if effect.id in NEAREST)
+"""A contact, and what comes nearest to it."""
 
 
 def table(file: Path, skip: int = 0) -> np.ndarray:
@@ -78,8 +83,9 @@ def test_blows_of_a_hammer_are_a_vibration_with_the_frequency_that_their_author_
     assert find_contacts(windows, nominal) is None
 
 
-def test_pushes_by_hand_in_a_moving_arm_are_named_and_the_quiet_parts_are_not() -> None:
-    diagnosis = diagnose(ur5())
+@pytest.mark.parametrize("effects", [RIVALS, pytest.param(library(), marks=pytest.mark.thorough)], ids=["rivals", "whole library"])
+def test_pushes_by_hand_in_a_moving_arm_are_named_and_the_quiet_parts_are_not(effects: tuple[Effect, ...]) -> None:
+    diagnosis = diagnose(ur5(), effects)
     assert (diagnosis.verdict, diagnosis.effects[0].id) == ("explained", "external_contact")
     spans = [(contact.begin_s, contact.end_s) for contact in diagnosis.where.contacts]
     assert len(spans) >= 6

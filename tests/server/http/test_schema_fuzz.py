@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 import schemathesis
+from argon2 import PasswordHasher
 from fastapi import FastAPI
 from fastapi.testclient import TestClient
 from hypothesis import HealthCheck, Phase, given, settings
@@ -135,9 +136,10 @@ def test_made_up_requests_are_answered_as_described(endpoint: str, app: FastAPI,
 
 @pytest.mark.parametrize("paths", CHAINED)
 def test_what_one_answer_names_is_asked_for_next_and_answered_as_described(
-    paths: str, nothing_planned: None, app: FastAPI, nobody: TestClient, signed_in: As
+    paths: str, nothing_planned: None, app: FastAPI, nobody: TestClient, signed_in: As, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Requests one after the other: what is made is read and taken away again, in whatever order the description allows."""
+    monkeypatch.setattr("server.people.accounts.hasher", PasswordHasher(time_cost=1, memory_cost=8, parallelism=1))  # dozens of accounts
     client = signed_in(Role.operator, Role.engineer, Role.admin)
     described = read_description(running_already(in_its_own_loop(app, nobody)), client)
     described.config.generation.update(modes=[GenerationMode.POSITIVE])
