@@ -26,7 +26,7 @@ windows, as in identification; of ten minutes up to 6.7 Hz are seen instead of 2
 SMOOTHING_S = 0.036
 """Of the motion that effects act on: short enough for the corners of a trapezoid, long enough for the encoders' noise."""
 SHORTEST_S, FEWEST_SAMPLES = 3.0, 200
-NARROW_S, NARROW = 0.0125, 2.5
+NARROW_S, NARROW_INSTANTS = 0.0125, 2.5
 """Knot spacing of the narrow windows, and the least of it in periods of the scene."""
 NOTHING_MOVES_RAD = 0.02
 LEAST_ZERO_STD_RAD = 1e-6
@@ -121,7 +121,7 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
     noise = find_fresh_noise(recording.t, wrench, still, segments, rows, nominal_std=recording.sensor.noise_std) or unknown_noise()
     raw = RawFeatures(poses)
     grid = max(GRID_S, poses.period, float(np.ptp(poses.t)) / MOST_INSTANTS)
-    narrow = max(NARROW_S, 4.0 * poses.period, NARROW * grid)
+    narrow = max(NARROW_S, 4.0 * poses.period, NARROW_INSTANTS * grid)
     ends = [poses.t[part][[0, -1]] for part in stretches(poses.t)]
     t = np.concatenate([np.arange(first + 2.0 * narrow, last - 2.0 * narrow, grid) for first, last in ends])
     spread = reading = window_matrix(t, narrow, poses.t)

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize import lsq_linear
 
 from core.array import Array
+
+Bools = NDArray[np.bool_]
 
 EXCHANGES = 12
 """Of what is held at its bounds, before it is taken to go round in circles."""
@@ -33,7 +36,7 @@ def find_bounded_minimum(normal: Array, right: Array, bounds: Array) -> Array:
         slope = A @ x - b
         new_below, new_above = (free & (x < low)) | (below & (slope >= 0.0)), (free & (x > high)) | (above & (slope <= 0.0))
         if np.array_equal(new_below, below) and np.array_equal(new_above, above):
-            return np.where(below, bounds[0], np.where(above, bounds[1], np.clip(x * scale, bounds[0], bounds[1])))
+            return _put_on_bounds(x * scale, below, above, bounds)
         below, above = new_below, new_above
     return _search_active_sets(A, b, bounds, scale)
 
@@ -49,8 +52,12 @@ def _search_active_sets(A: Array, b: Array, bounds: Array, scale: Array) -> Arra
         tol=1e-14,
         max_iter=100 * len(b),
     )
-    on_bounds = [found.active_mask < 0, found.active_mask > 0]
-    return np.select(on_bounds, list(bounds), np.clip(found.x * scale, bounds[0], bounds[1]))
+    return _put_on_bounds(found.x * scale, found.active_mask < 0, found.active_mask > 0, bounds)
+
+
+def _put_on_bounds(x: Array, below: Bools, above: Bools, bounds: Array) -> Array:
+    """(n,), what is held at a bound exactly there: scaling rounds to either side."""
+    return np.select([below, above], list(bounds), np.clip(x, *bounds))
 
 
 def solve_scaled(matrix: Array, right: Array) -> Array:

@@ -52,7 +52,7 @@ ZERO_STD_RAD = 3.5e-4
 ZERO_STEP_RAD = 1e-4
 TURNING_STD_M = 1.0
 """Of where a sensor whose position nobody knows turns about, each coordinate: an arm's length."""
-STEP = 5.0
+STEP_INSTANTS = 5.0
 """The least spacing of the windows, in periods of the scene."""
 FORGOTTEN_S = 0.5
 """Time after which delays and filters have forgotten what was before."""
@@ -292,7 +292,7 @@ def _find_turning_columns(scene: Scene, phi: Array, *, known: bool) -> Array:
 
 def window_rows(poses: Poses, t: Array, every: float = 1.0) -> Rows:
     """Windows over the grid t (N,) of a motion of which `every` so many samples one reading is fresh."""
-    step = max(STEP_S, 8.0 * poses.period, 2.0 * every * poses.period, STEP * float(np.median(np.diff(t))))
+    step = max(STEP_S, 8.0 * poses.period, 2.0 * every * poses.period, STEP_INSTANTS * float(np.median(np.diff(t))))
     centres = window_centres(t, step)
     part = np.cumsum(np.diff(centres, prepend=centres[0]) > PAUSE_S, dtype=np.intp)
     return Rows(centres, step, window_matrix(centres, step, t), part, every)

@@ -32,11 +32,12 @@ def trace(name: str, left: float, free: int = 3, at_bound: int = 0, size: float 
 
 
 def test_probabilities_sum_to_one_however_many_fits_there_are() -> None:
-    for fits in (1, 20):
+    for fits in (0, 1, 20):
         p = weigh(trace("none", 50.0), [trace(f"effect_{k}", 3.0 * k) for k in range(fits)])
         assert p.shape == (2 + fits,)
         assert p.sum() == pytest.approx(1.0)
-        assert (p[1:] > 0.0).all()  # no effect is out of the question where the gap is large
+        assert (p >= 0.0).all()
+        assert (p[1:] > 0.0).all() or fits == 0  # no effect is out of the question where the gap is large
 
 
 def test_what_closes_the_gap_is_more_probable_the_less_it_leaves() -> None:
