@@ -251,10 +251,11 @@ def test_a_robot_that_stands_is_kept_while_nobody_asks_in_its_motion_and_after_a
         target = move(session, bench.cell)[-1].q_cmd
         session.stop()
         [session.state() for _ in range(300)]
-        bench.server.patience_s = 0.05  # after twenty such periods without a command the arm stops
+        bench.server.patience_s = 0.05  # after which the clock goes on, and twenty periods without a command end a motion
         time.sleep(1.5)
         assert bench.arm.mode == IDLE
         session.release()
+        session.command(session.state().q_cmd)  # with its first command the motion begins
         time.sleep(1.5)
         stands = session.state().q_cmd
         assert np.abs(stands - target).max() < 0.1
