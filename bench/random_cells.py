@@ -25,13 +25,11 @@ from core.events import Event, RobotStopped, StartConfigurationFound, drive
 from core.payload.inertia import InertialParameters
 from core.planning.plan import Plan
 from core.planning.search import plan_stops
-from core.planning.stops import PROCEDURE, Stops
-from core.procedure.recorder import Recorder
-from core.procedure.run import Planning, Run
+from core.planning.stops import PROCEDURE
+from core.procedure.record import record
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.trajectory import JointTrajectory
-from core.sessions.sample_log import SampleLog
 from core.sessions.session import RobotState
 from core.sessions.simulated import SimulatedSession
 from tests.independent_checker import IndependentChecker
@@ -135,19 +133,13 @@ def simulated(drawn: RandomCell, plan: Plan, checker: IndependentChecker) -> lis
     """Violations of the whole run on the virtual robot: of what was commanded, and of where the arm truly was."""
     carried = drawn.cell.payloads["random"].parameters
     session = Witness(drawn.cell, carried, drawn.seed)
-    robot = RobotModel.of_cell(drawn.cell)
-    log = SampleLog(drawn.cell, robot, payload=None, reference=None)
-    planning = Planning(Stops(tuple(leg.stop for leg in plan.legs), plan.timing), seed=drawn.seed)
-    run = Run(drawn.cell, robot, session, drawn.payload_box, planning, Recorder(log))
     violations: list[str] = []
 
     def note_stop(event: Event) -> None:
         if isinstance(event, RobotStopped):
             violations.append(f"stopped by the guard: {event.message}")
 
-    with session:
-        drive(run.execute_plan(plan), note_stop)
-    commanded = log.recording().q_cmd
+    commanded = drive(record(drawn.cell, session, drawn.payload_box, plan, seed=drawn.seed), note_stop).q_cmd
     assert commanded is not None
     violations += [f"commanded: {violation}" for violation in checker.check(commanded, session.period).violations]
     true = checker.check(np.array(session.true_q), session.period)

@@ -10,15 +10,11 @@ from core.events import drive
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
-from core.planning.stops import Stops
 from core.plant.faults import Fault, Setting
 from core.plant.mechanics import Drives
-from core.procedure.recorder import Recorder
-from core.procedure.run import Planning, Run
+from core.procedure.record import record
 from core.recording.folder import write_recording
 from core.recording.recording import Recording
-from core.robot.model import RobotModel
-from core.sessions.sample_log import SampleLog
 from core.sessions.simulated import SimulatedSession
 from core.trial.bound import Bound, bound_of
 from core.trial.draw import DrawnTrial
@@ -62,12 +58,7 @@ def record_procedure(drawn: DrawnTrial, faults: tuple[Fault, ...]) -> Recording:
     cell, name = without_friction(drawn.cell), drawn.sealed.payload
     carried = cell.payloads[name]
     session = SimulatedSession(cell, carried.parameters, seed=drawn.sealed.seed, faults=faults, drives=SMOOTH)
-    robot = RobotModel.of_cell(cell)
-    log = SampleLog(cell, robot, payload=name, reference=carried)
-    run = Run(cell, robot, session, carried.box, Planning(Stops.of_procedure(timing=drawn.plan.timing)), Recorder(log))
-    with session:
-        drive(run.execute_plan(drawn.plan))
-    return log.recording()
+    return drive(record(cell, session, carried.box, drawn.plan, payload=name, reference=carried))
 
 
 def without_friction(cell: Cell) -> Cell:

@@ -16,12 +16,10 @@ from core.planning.stops import Stops
 from core.plant.faults import Setting, variants
 from core.plant.imperfections import Imperfections
 from core.plant.mechanics import Drives
-from core.procedure.recorder import Recorder
-from core.procedure.run import Planning, Run
+from core.procedure.record import record
 from core.recording.recording import Recording
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
-from core.sessions.sample_log import SampleLog
 from core.sessions.simulated import SimulatedSession
 
 STOPS = Stops.of_procedure(timing=Timing(robot_s=45.0))
@@ -36,16 +34,6 @@ def plan_of(name: str, payload: str) -> tuple[Cell, Plan]:
     home = np.array(cell.robot.home_rad)
     planning = plan_stops(cell, robot, CollisionModel(cell, robot, box), box, STOPS.stops, start=home, timing=STOPS.timing)
     return cell, drive(planning)
-
-
-def record(cell: Cell, session: SimulatedSession, plan: Plan, payload: str) -> Recording:
-    """The plan carried out."""
-    robot = RobotModel.of_cell(cell)
-    log = SampleLog(cell, robot, payload=payload, reference=None)
-    run = Run(cell, robot, session, cell.payloads[payload].box, Planning(STOPS), Recorder(log))
-    with session:
-        drive(run.execute_plan(plan))
-    return log.recording()
 
 
 @cache
@@ -63,4 +51,4 @@ def recorded(
     faults = (field.draw(np.random.default_rng(1), magnet, Setting(cell, carried, plan.robot_s)),) if magnet else ()
     imperfections = Imperfections(base_tilt_rad=(tilt_rad, 0.0), wrench_delay_s=delay_s)
     session = SimulatedSession(cell, carried, seed=seed, drives=drives, imperfections=imperfections, faults=faults)
-    return record(cell, session, plan, "cylinder")
+    return drive(record(cell, session, cell.payloads["cylinder"].box, plan, payload="cylinder"))

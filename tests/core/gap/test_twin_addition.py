@@ -17,18 +17,20 @@ from core.cli.main import app
 from core.effects.library import library
 from core.errors import BadTwin
 from core.estimation.identification import identify_recording
+from core.events import drive
 from core.gap.addition import add_found
 from core.gap.answer import Diagnosis
 from core.gap.diagnosis import diagnose, examine
 from core.gap.twin_addition import find_effects, with_effect
 from core.plant.imperfections import Imperfections
 from core.plant.mechanics import Drives
+from core.procedure.record import record
 from core.recording.folder import read_recording, recording_sha256, write_recording
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
 from core.twin.file import read_twin
 from core.twin.twin import NOMINAL
-from tests.core.gap.recorded_run import plan_of, record
+from tests.core.gap.recorded_run import plan_of
 
 PAYLOAD = "gripper"
 TILT_RAD, DELAY_S = np.radians(0.5), 0.015
@@ -43,7 +45,7 @@ def record_with(cell: Cell, **options: object) -> Recording:
     """A run in the simulation."""
     carried = cell.payloads[PAYLOAD]
     session = SimulatedSession(cell, carried.parameters, seed=4, drives=SMOOTH, **options)  # type: ignore[arg-type]  # any option
-    return record(cell, session, plan_of("lwr4_bench", PAYLOAD)[1], PAYLOAD)
+    return drive(record(cell, session, carried.box, plan_of("lwr4_bench", PAYLOAD)[1], payload=PAYLOAD))
 
 
 @pytest.fixture(scope="module")
