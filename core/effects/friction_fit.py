@@ -77,7 +77,7 @@ class FrictionSignals:
         if recording.tau is not None:
             signal = signal - Y @ np.concatenate([body.toDynamicParameters() for body in list(model.inertias)[1:]])
         if recording.wrench is not None:
-            J = np.stack([robot_model.sensor_jacobian(row) for row in smooth]).transpose(0, 2, 1)
+            J = robot_model.sensor_jacobians(smooth).transpose(0, 2, 1)
             W = savgol_filter(_at(t, recording.t, recording.wrench), window, 3, axis=0)[rows]
             Y = np.concatenate([Y, J @ W[:, :, None], J], axis=2)
         return cls(period * (rows.step or 1), spread, raw, smooth, dq, ddq, signal, sign, Y)

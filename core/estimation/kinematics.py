@@ -192,7 +192,7 @@ def _off_a_cubic(t: Array, x: Array) -> tuple[Array, NDArray[np.intp]]:
 
 def _joint_noise(robot: RobotModel, q: Array, std: Array) -> Array:
     rows = np.linspace(0, len(q) - 1, min(60, len(q))).astype(int)
-    J = np.stack([robot.sensor_jacobian(q[k]) for k in rows])
+    J = robot.sensor_jacobians(q[rows])
     return np.asarray(np.einsum("kij,j,klj->il", J, std**2, J) / len(rows))
 
 

@@ -59,5 +59,5 @@ def _find_unexplained_torque(recording: Recording, robot: RobotModel, rows: slic
     model.gravity.linear = recording.gravity
     data = model.createData()
     arm = np.stack([pin.computeGeneralizedGravity(model, data, row) for row in recording.q[rows]])
-    load = np.stack([robot.sensor_jacobian(row) for row in recording.q[rows]])
+    load = robot.sensor_jacobians(recording.q[rows])
     return np.asarray(recording.tau[rows] - arm - np.einsum("nij,ni->nj", load, recording.wrench[rows] - offset))
