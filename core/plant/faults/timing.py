@@ -146,6 +146,33 @@ class SlippingBuffer(Fault):
 
 
 @dataclass(frozen=True)
+class DriftingClock(Fault):
+    """The sensor's clock runs slow against the robot's: its samples come later and later."""
+
+    id = "time_delay"
+    variant = "drifting_clock"
+
+    slow_share: float
+    longest_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """10 to 60 ms late in the end."""
+        late = size * draw_log_uniform(rng, 0.01, 0.06)
+        return cls(late / setting.seconds, 2 * late)
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """The wrench of `slow_share t` before, at most of `longest_s` before."""
+        history = History(self.longest_s, machine.period)
+
+        def late(t: float, W: Array) -> Array:
+            history.push(W)
+            return history.ago(self.slow_share * t)
+
+        return late
+
+
+@dataclass(frozen=True)
 class PolledDrives(Fault):
     """The drives are asked one after the other, and reported together when the last has answered: each joint is late by a pure delay of
     its own, from `lag` down to `lag (1 - skew)`, along the arm or against it."""
@@ -184,5 +211,6 @@ TIMING: tuple[type[Fault], ...] = (
     MotionLag,
     MotionLagThirdOrder,
     SlippingBuffer,
+    DriftingClock,
     PolledDrives,
 )

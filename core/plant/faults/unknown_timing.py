@@ -1,4 +1,4 @@
-"""Clocks and channels that do not run together, in ways that have no name in the table of effects."""
+"""Channels that do not run together, in a way that has no name in the table of effects."""
 
 from __future__ import annotations
 
@@ -8,35 +8,9 @@ from typing import Self
 import numpy as np
 
 from core.array import Array
-from core.plant.faults.draws import channels, draw_log_uniform, draw_signed_log_uniform, six
+from core.plant.faults.draws import channels, draw_signed_log_uniform, six
 from core.plant.faults.fault import Channel, Fault, Machine, Setting, Six, Unknown
 from core.plant.faults.history import History
-
-
-@dataclass(frozen=True)
-class DriftingClock(Unknown):
-    """The sensor's clock runs slow against the robot's: its samples come later and later."""
-
-    variant = "drifting_clock"
-
-    slow_share: float
-    longest_s: float
-
-    @classmethod
-    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """10 to 60 ms late in the end."""
-        late = size * draw_log_uniform(rng, 0.01, 0.06)
-        return cls(late / setting.seconds, 2 * late)
-
-    def sense(self, machine: Machine) -> Channel | None:
-        """The wrench of `slow_share t` before, at most of `longest_s` before."""
-        history = History(self.longest_s, machine.period)
-
-        def late(t: float, W: Array) -> Array:
-            history.push(W)
-            return history.ago(self.slow_share * t)
-
-        return late
 
 
 @dataclass(frozen=True)
@@ -68,7 +42,4 @@ class SkewedChannels(Unknown):
         return skew
 
 
-UNKNOWN_TIMING: tuple[type[Fault], ...] = (
-    DriftingClock,
-    SkewedChannels,
-)
+UNKNOWN_TIMING: tuple[type[Fault], ...] = (SkewedChannels,)

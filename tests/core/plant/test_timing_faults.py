@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 from core.plant.faults.dropout import LONGEST_BURST_S, HeldWrench, LostBursts, PreemptedBus, SlowSensor
 from core.plant.faults.lowpass import Butterworth, FirstOrderFilter, MovingAverage, WeighingFilter
-from core.plant.faults.timing import Delay, JitteryDelay, MotionLag, MotionLagThirdOrder, PolledDrives, SlippingBuffer
-from core.plant.faults.unknown_timing import DriftingClock, SkewedChannels
+from core.plant.faults.timing import Delay, DriftingClock, JitteryDelay, MotionLag, MotionLagThirdOrder, PolledDrives, SlippingBuffer
+from core.plant.faults.unknown_timing import SkewedChannels
 from tests.core.plant.fault_oracle import PERIOD, SETTING, SIGNAL, SIX, clean, constant, run, sine, through
 
 
