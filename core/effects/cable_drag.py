@@ -30,6 +30,8 @@ STIFF = 10.0
 LOOKED_AT = 600
 """The search looks at no more rows than about this many."""
 TRIED = 2
+TWIST = slice(11, 15)
+"""Where the torsion stands among the parameters."""
 
 
 class CableDrag(Effect):
@@ -39,7 +41,8 @@ class CableDrag(Effect):
     in the first sample if there were no slack, so the fixed point is `p_0 + c / k`, and `s / k` is the free length: a hose has `s = 0`, and
     what pulls already where it is not stretched, as a reel does, a negative one.
     Friction that acts on each axis of the base on its own, `mu_g v_i / sqrt(v_i^2 + v_c^2)`, has no mechanism behind it that we know
-    of, but simulators have it, and linear guides along those axes would look like it.
+    of, but simulators have it, and linear guides along those axes would look like it. What runs over a drum, round an edge or through an
+    eye pulls more while it is paid out and less while it comes in: F times `1 + e u / sqrt(u^2 + v_c^2)` with `u = -v . F / |F|`.
     About the last joint, `T = -(k_1 x + k_2 x^2 + k_3 x^3) - mu_t z` with x the angle since the first sample (the constant is an offset)
     and z from -1 to 1 what a play of 0.1 rad holds back. The sensor reads `-F` and `-r x F - T`.
     """
@@ -51,8 +54,8 @@ class CableDrag(Effect):
     needs_motion = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """Stiffness, N/m, pull at the first sample (3) and friction, N, place (3), m, slack and guide friction, N; where the joints are
-        known also the four of the torsion, N m, their terms at one radian."""
+        """Stiffness, N/m, pull at the first sample (3) and friction, N, place (3), m, slack and guide friction, N, and the friction where
+        it is wound, a share of the pull; where the joints are known also the four of the torsion, N m, their terms at one radian."""
         cable = (
             Parameter("stiffness_n_per_m", "N/m", 0.0, -5.0, 300.0, 10.0),
             *(Parameter(f"pull_{axis}_n", "N", 0.0, -200.0, 200.0, 5.0) for axis in "xyz"),
@@ -60,6 +63,7 @@ class CableDrag(Effect):
             *(Parameter(f"at_{axis}_m", "m", 0.0, -0.5, 0.5, 0.1) for axis in "xyz"),
             Parameter("slack_n", "N", 0.0, -200.0, 200.0, 5.0),
             Parameter("guide_friction_n", "N", 0.0, -1.0, 10.0, 0.5),
+            Parameter("winding_friction_share", "1", 0.0, -0.1, 1.0, 0.1),
         )
         if scene.q is None or scene.jacobian is None:
             return cable
@@ -80,8 +84,9 @@ class CableDrag(Effect):
         whole = scene.past("place").before(p, 1)
         v = np.diff(whole, axis=0, prepend=whole[:1])[-len(p) :] / scene.period
         F = taut(theta[1:4] - theta[0] * (p - scene.past("first place").first(p)), theta[8])
+        F = F * wind(v, F, theta[10])
         F = F - theta[4] * v / np.sqrt(np.sum(v * v, axis=1, keepdims=True) + CREEP**2) - theta[9] * v / np.sqrt(v * v + CREEP**2)
-        torque = twist(scene, theta[10:]) if len(theta) > 10 else np.zeros_like(F)
+        torque = twist(scene, theta[TWIST]) if len(theta) > TWIST.start else np.zeros_like(F)
         return np.asarray(add_force(w, -turn_back(scene.rotation, F), r, torque))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
@@ -110,17 +115,23 @@ class CableDrag(Effect):
         """Advises freeing the hose: pull at the start, N, change per metre, N, friction, N, and torsion, N m/rad."""
         pull = float(np.linalg.norm(taut(theta[None, 1:4], theta[8])))
         stiffness, friction = theta[0], theta[4] + theta[9]
-        if len(theta) > 10 and abs(theta[10]) > 0.01:
-            return Message.of(
-                "advice-cable-drag-twisting", pull_n=pull, stiffness_n_per_m=stiffness, friction_n=friction, twist_nm_per_rad=theta[10]
-            )
-        return Message.of("advice-cable-drag", pull_n=pull, stiffness_n_per_m=stiffness, friction_n=friction)
+        twist_nm_per_rad = theta[TWIST.start] if len(theta) > TWIST.start else 0.0
+        numbers = {"pull_n": pull, "stiffness_n_per_m": stiffness, "friction_n": friction}
+        if abs(twist_nm_per_rad) > 0.01:
+            return Message.of("advice-cable-drag-twisting", **numbers, twist_nm_per_rad=twist_nm_per_rad)
+        return Message.of("advice-cable-drag", **numbers)
 
 
 def taut(f: Array, slack: float) -> Array:
     """Pull (N, 3) of a spring f, of which the first newtons take up the slack."""
     size = np.sqrt(np.sum(f * f, axis=1, keepdims=True))
     return np.asarray(f * np.maximum(0.0, 1.0 - slack / np.maximum(size, 1e-12)))
+
+
+def wind(v: Array, F: Array, share: float) -> Array:
+    """(N, 1), times the pull F (N, 3) of what is paid out or comes in as its end moves at v (N, 3), m/s."""
+    paid_out = -np.einsum("ni,ni->n", v, F) / np.maximum(np.sqrt(np.einsum("ni,ni->n", F, F)), 1e-12)
+    return np.asarray(1.0 + share * paid_out / np.hypot(paid_out, CREEP))[:, None]
 
 
 def twist(scene: Scene, theta: Array) -> Array:

@@ -31,6 +31,19 @@ def delay_signal(w: Array, samples: float, past: Past | None = None) -> Array:
     return cast(Array, _delay(whole, weights, newest, len(whole) - len(w)))
 
 
+def delay_each(w: Array, samples: Array) -> Array:
+    """`w` (N, n) with each row late by a number of samples of its own (N,), as `delay_signal` has it; before the first row as in it, and
+    nothing is early."""
+    samples = np.maximum(samples, 0.0)[:, None]
+    lags = np.maximum(0.0, np.floor(samples) - ROWS // 2 + 1) + np.arange(ROWS)
+    weights = np.ones(lags.shape)
+    for i, j in np.ndindex(ROWS, ROWS):
+        if i != j:
+            weights[:, i] *= (samples[:, 0] - lags[:, j]) / (lags[:, i] - lags[:, j])
+    rows = np.maximum(np.arange(len(w))[:, None] - lags.astype(int), 0)
+    return np.asarray(np.einsum("ki,kin->kn", weights, w[rows]))
+
+
 def low_pass(w: Array, time_constant: complex, period: float, past: Past | None = None) -> Array:
     """`w` (N, n) behind `1 / (1 + T s)`, exact for a signal that is straight between samples.
 

@@ -15,7 +15,7 @@ from core.effects.cable_drag import CableDrag
 from core.effects.effect import Effect
 from core.effects.external_contact import ExternalContact
 from core.effects.gear_ripple import GearRipple
-from core.effects.joint_backlash import JointBacklash
+from core.effects.joint_backlash import AT_ONCE_S, JointBacklash
 from core.effects.joint_elasticity import JointElasticity
 from core.effects.joint_offset import JointOffset
 from core.effects.payload_loose import PayloadLoose
@@ -222,10 +222,11 @@ PLANTED = [
     ),
     Planted(
         JointBacklash(),
-        np.append(PLAY, [1.0, LAG]),
+        np.append(PLAY, [1.0, LAG, AT_ONCE_S]),
         lambda: truth(lambda t: believed(t) - PLAY * np.tanh(load(t, LAG))).wrench(),
         tolerance=0.25,  # the fastest contact changes sides within five rows
-        fit_tolerance=np.array([*[0.2] * 8, 0.05]),
+        # what comes late by the lag of the load comes late by that of the side as well
+        fit_tolerance=np.array([*[0.2] * 8, 0.6, 0.4]),
     ),
     Planted(GearRipple(), np.tile([RATIO, *RIPPLE[:2]], 7), lambda: truth(rippled, h=2e-4).wrench(), tolerance=0.1, fit_tolerance=0.2),
     Planted(PayloadShift(), np.array([AT, *SLIP, 0.0]), slipped, rows=lambda: np.abs(T - AT) > 0.2, tolerance=0.03, fit_tolerance=0.1),
@@ -252,7 +253,7 @@ PLANTED = [
     ),
     Planted(
         CableDrag(),
-        np.array([STIFFNESS, *pull(), RUB, *HOOK, *[0.0] * 6]),
+        np.array([STIFFNESS, *pull(), RUB, *HOOK, *[0.0] * 7]),
         pulled,
         tolerance=0.03,
         fit_tolerance=0.1,

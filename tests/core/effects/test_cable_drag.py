@@ -36,6 +36,20 @@ def test_a_cable_pulls_by_what_it_is_stretched_beyond_its_length() -> None:
     np.testing.assert_allclose(reading(stiffness_n_per_m=K, slack_n=K * FREE, **pull, **at), expected, atol=1e-9)
 
 
+def test_a_reel_pulls_more_while_it_is_paid_out_and_less_while_it_winds_up() -> None:
+    away = ANCHOR - PLACE
+    length = np.linalg.norm(away, axis=1)
+    towards, quick = away / length[:, None], np.gradient(length, RUN.t)
+    pull = dict(zip(("pull_x_n", "pull_y_n", "pull_z_n"), K * away[0], strict=True))
+    at = dict(zip(("at_x_m", "at_y_m", "at_z_m"), GRIP, strict=True))
+    change = reading(stiffness_n_per_m=K, winding_friction_share=0.3, **pull, **at) - RUN.nominal
+    force = -np.einsum("nij,nj,ni->n", RUN.rotation, change[:, :3], towards) / (K * length)
+    clear = np.abs(quick) > 0.05
+    assert (quick[clear] > 0).any()
+    assert (quick[clear] < 0).any()
+    np.testing.assert_allclose(force[clear], 1.0 + 0.3 * np.sign(quick[clear]), atol=0.01)
+
+
 def test_a_hose_resists_the_turning_of_the_last_joint() -> None:
     turn = RUN.q[:, -1] - RUN.q[0, -1]
     axis = RUN.jacobian[:, 3:, -1]

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.effects.filters import delay_signal, derivative, low_pass, play
+from core.effects.filters import delay_each, delay_signal, derivative, low_pass, play
 from tests.core.effects.naive_play import naive_play
 
 Array = np.ndarray
@@ -24,6 +24,14 @@ def test_a_delayed_quintic_is_exact_and_the_beginning_holds_its_value(samples: f
     inside = k >= np.maximum(samples + 3, 5)  # six rows from the beginning on
     np.testing.assert_allclose(late[inside], quintic(k[inside] - samples), rtol=1e-9, atol=1e-9)
     assert np.isfinite(late).all()
+
+
+def test_rows_that_are_each_late_by_their_own_delay_are_those_of_as_many_delays() -> None:
+    rng = np.random.default_rng(0)
+    w, samples = rng.normal(size=(80, 2)), rng.uniform(-1.0, 9.0, 80)
+    late = delay_each(w, samples)
+    for k, delay in enumerate(samples):
+        np.testing.assert_allclose(late[k], delay_signal(w, max(float(delay), 0.0))[k], atol=1e-12)
 
 
 @given(st.floats(1e-4, 10.0))
