@@ -7,7 +7,7 @@ export { de as own } from './de';
 export const messages = import.meta.glob<string>(
   [
     '../../../core/words/de/*.ftl',
-    '!../../../core/words/*/{advice,bag,description,drafts,franka,gap,import,imports,instruction,kuka,library,mesh,newcell,sensors,setup,symptom,timeline,torques,trial,uploads,xacro,xarm}.ftl',
+    '!../../../core/words/*/{advice,bag,description,drafts,effect,franka,gap,import,imports,instruction,kuka,library,mesh,newcell,sensors,setup,symptom,timeline,torques,trial,uploads,xacro,xarm}.ftl',
     '!../../../core/words/*/{certificate,cli,record,report,result,sheet}.ftl',
   ],
   { query: '?raw', import: 'default', eager: true },
