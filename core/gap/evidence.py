@@ -17,7 +17,7 @@ from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.fit_all import FitAll, Task, on_all_cores
 from core.gap.materiality import is_material
 from core.gap.most_rows import DRAWN, PARTS, fit_most
-from core.gap.partners import leave_out_each, partners
+from core.gap.partners import leave_out_each, partners, take_each_alone
 from core.gap.proposal import Proposal
 from core.gap.tie import Tie, distance_sigma
 from core.gap.weighing import find_left_share
@@ -111,7 +111,10 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     singles = choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
     if find_left_share(nominal, min(singles, key=lambda fit: fit.chi_square, default=nominal)) > ONE_IS_CLEAR:
         singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, shown, fit_all)])
-    joined = _join(windows, nominal, singles, shown, fit_all)
+    grown = _join(windows, nominal, singles, shown, fit_all)
+    alone = [task for fit in grown[:1] for task in take_each_alone(windows, fit)]
+    singles = choose_variants(nominal, [*singles, *fit_all(windows, alone)]) if alone else singles
+    joined = _find_needed(nominal, singles, grown)
     attribution = attribute(windows, nominal, [*singles, *joined])
     return Evidence(windows, nominal, tuple(singles), tuple(joined), attribution, describe_limits(absences))
 
@@ -144,13 +147,13 @@ def describe_limits(reasons: Mapping[Effect, Message | None]) -> tuple[Message, 
 
 
 def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:
-    """Two effects at once, where one leaves something to explain, and where two do, three; each set once, as well as it was fitted."""
+    """Two effects at once, where one leaves something to explain, and where two do, three; each set once, as well as it was fitted, those
+    of most effects first, and of as many the best."""
     fitted = {fit.name: fit for fit in singles}
     firsts = sorted(singles, key=lambda fit: fit.chi_square)[:FIRSTS]
     if not firsts or find_left_share(nominal, firsts[0]) < ONE_IS_ENOUGH or probabilities(nominal, singles)[0] > EXPLAINED:
         return []
     found: list[EffectFit] = []
-    most = find_left_share(nominal, firsts[0])
     while find_left_share(nominal, firsts[0]) > ONE_IS_ENOUGH and len(firsts[0].effects) < MOST_TOGETHER:
         seen, grown = {first.name for first in firsts}, _fit_with_partners(windows, firsts, effects, fit_all)
         for _ in range(EXCHANGES):
@@ -162,9 +165,15 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
             grown = _take_each_once([*grown, *_fit_with_partners(windows, [fitted[rest.name] for rest in rests], effects, fit_all)])
         if not grown:
             break
-        firsts, most = grown[:1], FURTHER_EXPLAINS * most
-        found += [fit for fit in grown if find_left_share(nominal, fit) < most and EQUATIONS * fit.free < fit.rows]
+        firsts, found = grown[:1], [*grown, *found]
     return found
+
+
+def _find_needed(nominal: EffectFit, singles: list[EffectFit], joined: list[EffectFit]) -> list[EffectFit]:
+    """Of several effects at once, those sets whose further effects each explain most of what fewer leave."""
+    least = min((find_left_share(nominal, fit) for fit in singles), default=1.0)
+    few = (fit for fit in joined if EQUATIONS * fit.free < fit.rows)
+    return [fit for fit in few if find_left_share(nominal, fit) < FURTHER_EXPLAINS**fit.further * least]
 
 
 def _fit_with_partners(windows: Windows, firsts: list[EffectFit], effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:

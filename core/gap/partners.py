@@ -58,6 +58,11 @@ def leave_out_each(windows: Windows, fit: EffectFit) -> list[Task]:
     return [_task_of(fit, [*terms[:k], *terms[k + 1 :]]) for k in range(len(terms))]
 
 
+def take_each_alone(windows: Windows, fit: EffectFit) -> list[Task]:
+    """Each effect of a fit by itself, from the values that it has among the others: where it began alone it may have ended elsewhere."""
+    return [_task_of(fit, [term]) for term in _terms_of(windows, fit)]
+
+
 def _join(known: Problem, first: EffectFit, columns: Array, normal: Array, joining: Problem, theta: Array) -> Partner:
     """Fall of chi-square when an effect joins, linearised at theta, less what its parameters may bend. All stays within its bounds: freed
     of them, small imperfections could stand for most effects."""

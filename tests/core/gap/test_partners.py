@@ -1,0 +1,42 @@
+"""Effects that are fitted together, and what each of them is worth alone then."""
+
+from __future__ import annotations
+
+from bench.calibration.planting import plant_trial
+from core.effects.library import library
+from core.gap.basis import basis_of
+from core.gap.effect_fit import fit_effects, fit_nominal
+from core.gap.evidence import gather
+from core.gap.fit_all import one_by_one
+from core.gap.partners import take_each_alone
+from core.gap.weighing import find_left_share
+from core.gap.windows import Windows
+
+LEAK = 177
+"""A payload that leaks, whose mass ends at a jump where it is fitted from the jumps that explain most."""
+
+
+def test_an_effect_that_alone_ended_elsewhere_is_fitted_again_from_what_it_is_among_others() -> None:
+    windows = Windows(basis_of(plant_trial(LEAK).recording))
+    nominal = fit_nominal(windows)
+    mass = next(effect for effect in library() if effect.id == "payload_mass_change")
+    scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
+    alone = fit_effects(windows, (mass,), nominal, mass.starts(scene, residual))
+    assert find_left_share(nominal, alone) > 0.05
+    names = ("payload_mass_change", "base_tilt", "kinematic_lag", "time_delay", "sensor_lowpass", "external_contact")
+    few = [effect for effect in library() if effect.id in names]
+    evidence = gather(windows, few, one_by_one)
+    assert evidence.best.name == "payload_mass_change"
+    assert find_left_share(nominal, evidence.best) < 0.001
+
+
+def test_each_effect_of_a_fit_is_taken_with_its_own_values() -> None:
+    windows = Windows(basis_of(plant_trial(LEAK).recording))
+    nominal = fit_nominal(windows)
+    both = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay"))
+    scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
+    first, second = (effect.starts(scene, residual)[0] for effect in both)
+    fit = fit_effects(windows, both, nominal, [[*first, *second]])
+    tasks = take_each_alone(windows, fit)
+    assert [task.effects for task in tasks] == [(effect,) for effect in both]
+    assert [value for task in tasks for value in task.thetas[0]] == fit.theta.tolist()
