@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TypeAlias
 
 import numpy as np
+from scipy.ndimage import correlate1d
 
 from bench.calibration.stage import PERIOD_S, Play
 from core.array import Array
@@ -18,6 +19,8 @@ SHAPES: dict[str, dict[str, Plant]] = {}
 """By family, then by variant."""
 FINE = 8
 """Steps of what swings in a period."""
+CROSSING_S, HELD_NM = 0.1, 0.5
+"""Of play in a joint: how long crossing it takes, and up to which torque friction holds a side."""
 
 
 def shape(family: str) -> Callable[[Plant], Plant]:
@@ -121,18 +124,31 @@ def hardening_springs(p: Play) -> None:
 
 @shape("joint_backlash")
 def flips(p: Play) -> None:
-    """Play in two joints, on the side of the torque."""
-    half = np.zeros(p.read.shape[1])
-    half[p.rng.permutation(len(half))[:2]] = np.radians(between(p, 0.05, 0.3))
-    p.read = p.read + half * np.sign(p.joint_torque)
+    """Play in two joints, on the side of the torque; friction holds the side until half a newton metre pushes the other way."""
+    take_sides(p, np.apply_along_axis(held_side, 0, p.joint_torque))
 
 
 @shape("joint_backlash")
 def flips_softly(p: Play) -> None:
     """The same with grease: it takes 2 N m to go over."""
+    take_sides(p, np.tanh(p.joint_torque / 2.0))
+
+
+def take_sides(p: Play, side: Array) -> None:
+    """Two joints lean to their sides (N, n), -1 to 1. It takes them `CROSSING_S` to cross: a torque that changes by 10 N m/s moves 1 kg m2
+    through a few milliradians in that time."""
     half = np.zeros(p.read.shape[1])
     half[p.rng.permutation(len(half))[:2]] = np.radians(between(p, 0.05, 0.3))
-    p.read = p.read + half * np.tanh(p.joint_torque / 2.0)
+    rise = np.hanning(round(CROSSING_S / PERIOD_S) + 2)
+    there = correlate1d(side, rise / rise.sum(), axis=0, mode="nearest", origin=(len(rise) - 1) // 2)
+    p.read = p.read + half * there
+
+
+def held_side(torque: Array) -> Array:
+    """(N,), of a torque (N,): that of the last one beyond `HELD_NM`, at first that of the first."""
+    beyond = np.flatnonzero(np.abs(torque) > HELD_NM)
+    last = np.maximum.accumulate(np.where(np.abs(torque) > HELD_NM, np.arange(len(torque)), beyond[0] if len(beyond) else 0))
+    return np.sign(torque[last])
 
 
 @shape("payload_mass_change")
@@ -248,12 +264,14 @@ def hangs_slack(p: Play) -> None:
 
 def cable(p: Play, slack: float) -> None:
     """From a point of the payload to a place half a metre off."""
-    anchor = p.place.mean(axis=0) + p.rng.uniform(0.4, 0.8) * unit(p.rng)
-    away = anchor - p.place
+    hook = p.rng.normal(scale=0.04, size=3) + np.array([0.0, 0.0, 0.05])
+    there = p.place + np.asarray(p.run.rotation) @ hook
+    anchor = there.mean(axis=0) + p.rng.uniform(0.4, 0.8) * unit(p.rng)
+    away = anchor - there
     length = np.linalg.norm(away, axis=1)
     free = np.percentile(length, 35) if slack else length.min()
     tension = between(p, 2.0, 12.0) * np.maximum(length - free, 0.0) + (0.0 if slack else between(p, 0.2, 1.5))
-    p.push(away / length[:, None] * tension[:, None], p.rng.normal(scale=0.04, size=3) + np.array([0.0, 0.0, 0.05]))
+    p.push(away / length[:, None] * tension[:, None], hook)
 
 
 @shape("external_contact")

@@ -26,14 +26,14 @@ OF_SIGNALS = {
     "sensor_hysteresis": ("play", "bouc_wen", "stick_and_snap"),
     "sensor_creep": ("exponential", "logarithmic"),
     "sensor_saturation": ("clip", "soft"),
-    "time_delay": ("constant", "jitter", "slipping_buffer"),
+    "time_delay": ("constant", "jitter", "slipping_buffer", "drifting_clock"),
     "kinematic_lag": ("first_order", "third_order", "polled"),
     "sensor_lowpass": ("first_order", "second_order", "moving_average", "weighing"),
     "joint_offset": ("warming",),
     "gear_ripple": ("sine", "modulated"),
     "unknown": (
         *("rubbing_seal", "gain_by_joint", "telegraph", "magnetic_field"),
-        *("motor_pickup", "drifting_clock", "skewed_channels"),
+        *("motor_pickup", "skewed_channels"),
     ),
 }
 """Faults of the virtual robot that act on signals alone, by family and variant."""
