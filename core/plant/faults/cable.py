@@ -17,6 +17,8 @@ RUBBING = 0.002
 """m/s; dry friction of a cable or a contact reaches its full size at this speed."""
 NEAR = 0.05
 """m; nearer than this to its reel a cable goes slack."""
+TAUT = 1.03
+"""A hose is at least so many times as long as the way between its ends."""
 
 
 def anchor(rng: np.random.Generator) -> Three:
@@ -152,9 +154,62 @@ class Reel(Fault):
         return wind
 
 
+def bow_of(ratio: float, guess: float) -> float:
+    """u with `sinh(u) / u = ratio`, which is more than 1: half a catenary's width by its parameter. Newton's method on the logarithm, which
+    is convex, from the last one on."""
+    u = guess
+    for _ in range(50):
+        step = (math.log(math.sinh(u) / u) - math.log(ratio)) / (1 / math.tanh(u) - 1 / u)
+        u = max(u - step, 0.5 * u)
+        if abs(step) < 1e-12 * u:
+            break
+    return u
+
+
+@dataclass(frozen=True)
+class HangingHose(Fault):
+    """A heavy hose that hangs between the payload and a fixed point and is longer than the way: it pulls by its own weight alone, along the
+    catenary on which it hangs; more of it hangs at the higher end."""
+
+    id = "cable_drag"
+    variant = "catenary"
+
+    weight_n_per_m: float
+    length_m: float
+    anchor_from_home_m: Three
+    grip_m: Three
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """1 to 8 N/m, 0.3 to 0.8 m longer than the way to its anchor at home, anchor and grip as of a `SpringCable`."""
+        away = anchor(rng)
+        length = float(np.linalg.norm(away)) + float(rng.uniform(0.3, 0.8))
+        return cls(size * draw_log_uniform(rng, 1.0, 8.0), length, away, grip_of(rng))
+
+    def act(self, machine: Machine) -> Act | None:
+        """Pulls the grip by the tension at its end of the catenary; where the hose is nearly straight it stretches instead."""
+        grip = Grip(machine, np.array(self.grip_m))
+        fixed = grip.place() + np.array(self.anchor_from_home_m)
+        bow = 1.0
+
+        def hang(_: float) -> None:
+            nonlocal bow
+            place = grip.place()
+            x, y, rise = (fixed - place).tolist()
+            wide = max(math.hypot(x, y), 1e-3)
+            length = max(self.length_m, TAUT * math.hypot(wide, rise))
+            bow = bow_of(math.sqrt(length**2 - rise**2) / wide, bow)
+            level = 0.5 * self.weight_n_per_m * wide / bow
+            slope = math.sinh(math.atanh(rise / length) - bow)
+            grip.push(place, level * np.array([x / wide, y / wide, slope]))
+
+        return hang
+
+
 CABLE: tuple[type[Fault], ...] = (
     SpringCable,
     SlackCable,
     TwistedHose,
     Reel,
+    HangingHose,
 )

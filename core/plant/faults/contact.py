@@ -10,6 +10,7 @@ from typing import Self
 import numpy as np
 
 from core.array import Array
+from core.plant.faults.cable import RUBBING
 from core.plant.faults.draws import direction, draw_log_uniform, moment, seed_of, three
 from core.plant.faults.fault import Act, Fault, Machine, Setting, Three
 from core.plant.faults.grip import Grip, grip_of
@@ -134,9 +135,52 @@ class Cushion(Touch):
         return press
 
 
+@dataclass(frozen=True)
+class Curtain(Fault):
+    """Hangs or stands in the way at some place, a strip curtain or a foam wall: each time that the payload is in it, it is pushed back,
+    over `depth` to the full force, and rubbed along; free outside of it."""
+
+    id = "external_contact"
+    variant = "curtain"
+
+    force_n: float
+    outward: Three
+    """Unit vector, world frame."""
+    clearance_m: float
+    """From the payload at home."""
+    depth_m: float
+    friction_share: float
+    at_m: Three
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """1 to 15 N in any direction, 1 to 6 cm away at home and 3 to 15 cm deep, friction of 20 to 60 %, 3 to 10 cm from the sensor."""
+        force, outward = size * draw_log_uniform(rng, 1.0, 15.0), three(direction(rng))
+        clearance, depth = draw_log_uniform(rng, 0.01, 0.06), draw_log_uniform(rng, 0.03, 0.15)
+        return cls(force, outward, clearance, depth, float(rng.uniform(0.2, 0.6)), grip_of(rng))
+
+    def act(self, machine: Machine) -> Act | None:
+        """Pushes at the grip, out of the curtain by `force` times the share of the depth, and against its way along the curtain."""
+        grip, outward = Grip(machine, np.array(self.at_m)), np.array(self.outward)
+        begins = float(outward @ grip.place()) - self.clearance_m
+
+        def brush(_: float) -> None:
+            place = grip.place()
+            v = grip.velocity(place)
+            inside = begins - float(outward @ place)
+            if inside > 0:
+                pressed = self.force_n * min(inside / self.depth_m, 1.0)
+                along = v - float(outward @ v) * outward
+                rubbing = self.friction_share / math.sqrt(RUBBING**2 + float(along @ along))
+                grip.push(place, pressed * (outward - rubbing * along))
+
+        return brush
+
+
 CONTACT: tuple[type[Fault], ...] = (
     Touch,
     GrowingTouch,
     Bumps,
     Cushion,
+    Curtain,
 )

@@ -199,6 +199,40 @@ class FrictionByLoad(Fault):
         return rub
 
 
+@dataclass(frozen=True)
+class LoadedRipple(Ripple):
+    """Teeth that bend, more or less stiffly from tooth to tooth: the ripple grows with the weight that the gear carries and lies on the
+    other flank when that turns round, `A tanh(load / full_load) sin(N q + phase)`; none where a joint carries nothing."""
+
+    variant = "by_load"
+
+    full_load_n_m: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """A ripple as `Ripple` draws it, full at 1 to 8 N m."""
+        free = Ripple.draw(rng, size, setting)
+        return cls(free.amplitude_rad, free.waves_per_turn, free.phase_rad, draw_log_uniform(rng, 1.0, 8.0))
+
+    def gear(self, machine: Machine) -> Joints | None:
+        """Shows `q + A tanh(load / full_load) sin(N q + phase)` and its rate, the load that of weight and centrifugal forces."""
+        A, N, phase = np.array(self.amplitude_rad), np.array(self.waves_per_turn), np.array(self.phase_rad)
+        model, data, motors = machine.model, machine.data, machine.motors
+        data.qpos[motors] = machine.setting.cell.robot.home_rad
+        mujoco.mj_forward(model, data)  # drives ask for the first time before anything has come to rest
+        last: Array | None = None
+
+        def ahead(_: float, q: Array, dq: Array) -> tuple[Array, Array]:
+            nonlocal last
+            strength = A * np.tanh(data.qfrc_bias[motors] / self.full_load_n_m)
+            change = np.zeros_like(strength) if last is None else (strength - last) / machine.period
+            last = strength
+            wave, slope = np.sin(N * q + phase), N * np.cos(N * q + phase)
+            return q + strength * wave, dq * (1 + strength * slope) + change * wave
+
+        return ahead
+
+
 JOINT_GEARS: tuple[type[Fault], ...] = (
     Ripple,
     UnevenRipple,
@@ -206,4 +240,5 @@ JOINT_GEARS: tuple[type[Fault], ...] = (
     LuGre,
     DamagedTooth,
     FrictionByLoad,
+    LoadedRipple,
 )

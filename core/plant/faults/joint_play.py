@@ -126,8 +126,39 @@ class PlayByMotion(Fault):
         return ahead
 
 
+@dataclass(frozen=True)
+class SplitGear(DeadZone):
+    """A wheel in two halves that springs hold against both flanks, as is done against play, and the springs have become weak: no play below
+    their preload; beyond it they give way, nearly free, over `half_play`, and then the teeth themselves meet."""
+
+    variant = "split_gear"
+
+    preload_n_m: float
+    soft_share: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """Play and teeth as `DeadZone` draws them, preload of 0.5 to 5 N m, springs of 2 to 8 % of the teeth's stiffness."""
+        free = DeadZone.draw(rng, size, setting)
+        return cls(free.half_play_rad, free.stiffness_n_m_per_rad, draw_log_uniform(rng, 0.5, 5.0), float(rng.uniform(0.02, 0.08)))
+
+    def act(self, machine: Machine) -> Act | None:
+        """Holds the link by stiff teeth up to the preload, by soft springs over the play and by stiff teeth beyond."""
+        play = np.array(self.half_play_rad)
+        loose = np.flatnonzero(play)
+        half, K, tight = play[loose], self.stiffness_n_m_per_rad, self.preload_n_m / self.stiffness_n_m_per_rad
+
+        def teeth(x: Array, _: Array) -> Array:
+            away = np.abs(x)
+            opened = np.minimum(np.maximum(away - tight, 0.0), half)
+            return np.asarray(-K * np.sign(x) * (away - (1 - self.soft_share) * opened))
+
+        return spring_torques(machine, loose, teeth)
+
+
 JOINT_PLAY: tuple[type[Fault], ...] = (
     DeadZone,
     PlayByLoad,
     PlayByMotion,
+    SplitGear,
 )

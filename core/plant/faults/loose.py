@@ -201,6 +201,46 @@ class Slosh(Pendulum):
         ball.limited, ball.range, ball.solref_limit = True, [0.0, math.degrees(self.half_angle_rad)], [0.02, 0.7]
 
 
+@dataclass(frozen=True)
+class IdleRoller(Fault):
+    """A roller or a spool that turns freely on the payload, and is heavier on one side: that side goes down as far as its bearing's dry
+    friction lets it; nothing where its axis stands upright. At angle zero the payload is what it should be."""
+
+    id = "payload_loose"
+    variant = "roller"
+
+    part_share: float
+    axis: Three
+    lever_m: Three
+    """From the axis to the roller's centre of mass at angle zero."""
+    friction_share: float
+    damping_ratio: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """5 to 30 % of the mass, at most 80 %, any axis, 1.5 to 6 cm off it, friction of 5 to 25 %, damping ratio 0.02 to 0.2."""
+        axis = direction(rng)
+        turn, first = rng.uniform(0, 2 * np.pi), across(axis)
+        lever = draw_log_uniform(rng, 0.015, 0.06) * (np.cos(turn) * first + np.sin(turn) * np.cross(axis, first))
+        share = min(size * draw_log_uniform(rng, 0.05, 0.3), 0.8)
+        return cls(share, three(axis), three(lever), float(rng.uniform(0.05, 0.25)), draw_log_uniform(rng, 0.02, 0.2))
+
+    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
+        """Splits the roller off the payload and puts it on a hinge with dry and viscous friction."""
+        part = split_off(spec, "payload:roller", self.part_share)
+        lever, axis = np.array(self.lever_m), np.array(self.axis)
+        part.pos, part.ipos = np.array(part.pos) - lever, lever
+        weight_torque = 9.81 * float(part.mass) * float(np.linalg.norm(lever))
+        inertia = float(axis @ get_parameters(part).inertia @ axis)
+        part.add_joint(
+            name="payload:bearing",
+            type=HINGE,
+            axis=self.axis,
+            damping=2 * self.damping_ratio * math.sqrt(weight_torque * inertia),
+            frictionloss=self.friction_share * weight_torque,
+        )
+
+
 LOOSE: tuple[type[Fault], ...] = (
     SprungPart,
     Pendulum,
@@ -208,4 +248,5 @@ LOOSE: tuple[type[Fault], ...] = (
     WhippingTool,
     RubberTool,
     Slosh,
+    IdleRoller,
 )

@@ -142,9 +142,39 @@ class WeighingFilter(Fault):
         return smooth
 
 
+@dataclass(frozen=True)
+class AgedCapacitor(Fault):
+    """An analogue low-pass whose capacitor has dried out: its own resistance lets a share of what is fast pass, and the rest comes behind
+    as through a first order; 2 to 20 Hz."""
+
+    id = "sensor_lowpass"
+    variant = "aged_capacitor"
+
+    cut_off_hz: float
+    direct_share: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """Cut-off of 2 to 20 Hz, lower for a larger size; 20 to 50 % pass at once."""
+        return cls(draw_log_uniform(rng, 2.0, 20.0) / size, float(rng.uniform(0.2, 0.5)))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """`direct W + (1 - direct) y`, y a low-pass of first order, at rest with the first wrench."""
+        gain, direct = -math.expm1(-2 * math.pi * self.cut_off_hz * machine.period), self.direct_share
+        y: Array | None = None
+
+        def smooth(_: float, W: Array) -> Array:
+            nonlocal y
+            y = W if y is None else y + gain * (W - y)
+            return direct * W + (1 - direct) * y
+
+        return smooth
+
+
 LOWPASS: tuple[type[Fault], ...] = (
     FirstOrderFilter,
     Butterworth,
     MovingAverage,
     WeighingFilter,
+    AgedCapacitor,
 )

@@ -11,6 +11,9 @@ from core.array import Array
 from core.plant.faults.draws import channels, draw_log_uniform, draw_signed_log_uniform, sign, six
 from core.plant.faults.fault import Channel, Fault, Machine, Setting, Six
 
+CONTACTS = 16
+"""Enough for a smooth loop."""
+
 
 @dataclass(frozen=True)
 class PlayHysteresis(Fault):
@@ -149,10 +152,77 @@ class StickAndSnap(Fault):
         return stick
 
 
+@dataclass(frozen=True)
+class Microslip(Fault):
+    """Many small dry contacts in the sensor's bolted faces, each of which slips at a load of its own (Iwan 1966): no width for small
+    changes, and one that grows with the square of larger ones, until all slip."""
+
+    id = "sensor_hysteresis"
+    variant = "microslip"
+
+    height_wrench: Six
+    widest_wrench: Six
+    """The change, from the middle, after which the last contact slips."""
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """0.1 to 0.4 % of the range in one channel or several, all slipping after 50 to 100 % of the nominal load."""
+        height = size * channels(rng) * np.abs(draw_signed_log_uniform(rng, 0.001, 0.004, 6)) * setting.full_scale
+        widest = rng.uniform(0.5, 1.0) * np.maximum(setting.load, 1e-3 * setting.full_scale)
+        return cls(six(height), six(np.maximum(widest, 4 * height)))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """Takes `2 h / w` times the mean of what plays of all widths up to w hold back off each channel; starts at the first wrench."""
+        widest = np.array(self.widest_wrench)
+        half = np.outer((np.arange(CONTACTS) + 0.5) / CONTACTS, widest)
+        held_back = 2 * np.array(self.height_wrench) / widest
+        behind: Array | None = None
+
+        def slip(_: float, W: Array) -> Array:
+            nonlocal behind
+            behind = np.tile(W, (CONTACTS, 1)) if behind is None else np.minimum(np.maximum(behind, W - half), W + half)
+            return np.asarray(W - held_back * (W - behind.mean(0)))
+
+        return slip
+
+
+@dataclass(frozen=True)
+class SlowRecovery(Fault):
+    """An adhesive that flows under load and comes back more slowly when it is taken off: creep with one time constant where it grows, and
+    with another where it goes back."""
+
+    id = "sensor_creep"
+    variant = "slow_recovery"
+
+    creep_share: float
+    time_constant_s: float
+    recovery_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """0.2 to 1 % with either sign, time constant of 2 to 12 s, three to eight times as long for the way back."""
+        flow = draw_log_uniform(rng, 2.0, 12.0)
+        return cls(size * sign(rng) * draw_log_uniform(rng, 0.002, 0.01), flow, flow * float(rng.uniform(3.0, 8.0)))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """Adds `creep_share` times what follows the wrench, away from zero with one time constant and towards it with the other."""
+        flow, recover = (-np.expm1(-machine.period / tau) for tau in (self.time_constant_s, self.recovery_s))
+        crept: Array | None = None
+
+        def creep(_: float, W: Array) -> Array:
+            nonlocal crept
+            crept = W if crept is None else crept + np.where(crept * (W - crept) >= 0, flow, recover) * (W - crept)
+            return np.asarray(W + self.creep_share * crept)
+
+        return creep
+
+
 SENSOR_MEMORY: tuple[type[Fault], ...] = (
     PlayHysteresis,
     BoucWen,
     Creep,
     LogarithmicCreep,
     StickAndSnap,
+    Microslip,
+    SlowRecovery,
 )

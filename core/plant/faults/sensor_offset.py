@@ -223,6 +223,57 @@ class Thermostat(Fault):
         return warm
 
 
+@dataclass(frozen=True)
+class HeatFront(Fault):
+    """A drive under the flange is hot from the start, and its heat comes through the metal in between: nothing at first, then ever more
+    and without an end to be seen, as it goes behind a thick wall (Carslaw and Jaeger): `drift erfc(sqrt(through / t))`."""
+
+    id = "sensor_drift"
+    variant = "heat_front"
+
+    drift_wrench: Six
+    through_s: float
+    """The wall's thickness squared by four times its diffusivity."""
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """0.3 to 4 N, with torques of the same share of their range; 5 to 40 s, as of 4 cm of aluminium to 3 cm of steel."""
+        return cls(wrench_of(rng, size * draw_log_uniform(rng, 0.3, 4.0), setting), draw_log_uniform(rng, 5.0, 40.0))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """Adds `drift erfc(sqrt(through / t))`, nothing at the start."""
+        drift = np.array(self.drift_wrench)
+        return lambda t, W: W + drift * math.erfc(math.sqrt(self.through_s / t)) if t > 0 else W
+
+
+@dataclass(frozen=True)
+class Clicks(Fault):
+    """A clamp inside the sensor settles in clicks: several jumps in the same direction, of different size, within some seconds."""
+
+    id = "sensor_offset_step"
+    variant = "clicks"
+
+    step_wrench: Six
+    """All of them together."""
+    at_s: tuple[float, ...]
+    step_share: tuple[float, ...]
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """1 to 2 N in all, with torques of the same share of their range, in two to four clicks within 5 to 20 % of the run."""
+        step = wrench_of(rng, size * draw_log_uniform(rng, 1.0, 2.0), setting)
+        count = int(rng.integers(2, 5))
+        begin, span = rng.uniform(0.15, 0.75), draw_log_uniform(rng, 0.05, 0.2)
+        at = setting.seconds * (begin + span * np.sort(np.append(rng.uniform(0, 1, count - 1), 0.0)))
+        share = rng.uniform(0.4, 1.0, count)
+        return cls(step, tuple(at.tolist()), tuple((share / share.sum()).tolist()))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """Adds `step_share` of the step for each of `at_s` that is over."""
+        step, at, share = np.array(self.step_wrench), np.array(self.at_s), np.array(self.step_share)
+        return lambda t, W: W + step * float(share[at <= t].sum())
+
+
 SENSOR_OFFSET: tuple[type[Fault], ...] = (
     ExponentialDrift,
     LinearDrift,
@@ -232,4 +283,6 @@ SENSOR_OFFSET: tuple[type[Fault], ...] = (
     OffsetRamp,
     OffsetKnock,
     Thermostat,
+    HeatFront,
+    Clicks,
 )

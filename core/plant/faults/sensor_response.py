@@ -9,7 +9,7 @@ from typing import Self
 import numpy as np
 
 from core.array import Array
-from core.plant.faults.draws import channels, draw_log_uniform, draw_signed_log_uniform, sign, six
+from core.plant.faults.draws import channels, draw_log_uniform, draw_signed_log_uniform, moment, sign, six
 from core.plant.faults.fault import Channel, Fault, Machine, Setting, Six
 
 SixBySix = tuple[Six, Six, Six, Six, Six, Six]
@@ -255,6 +255,79 @@ class Bow(Fault):
         return lambda _, W: W + height * np.sin(np.pi * W / weight)
 
 
+@dataclass(frozen=True)
+class LostGauge(Fault):
+    """One of the gauges of a bridge comes off its beam in the middle of the run: right before, and too little by 1 to 5 % from then on."""
+
+    id = "sensor_gain"
+    variant = "lost_gauge"
+
+    gain_share: Six
+    at_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """1 to 5 % less in one channel or several, from a time on that is well inside the run."""
+        return cls(six(-size * channels(rng) * np.abs(draw_signed_log_uniform(rng, 0.01, 0.05, 6))), moment(rng, setting))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """Multiplies each channel by `1 + gain_share` from `at_s` on."""
+        gain = 1 + np.array(self.gain_share)
+        return lambda t, W: gain * W if t >= self.at_s else W
+
+
+@dataclass(frozen=True)
+class FadingCrosstalk(Fault):
+    """What changes in a channel shows in others and fades there, as charge does on piezo plates that stand askew: a load that stays shows
+    in none but its own."""
+
+    id = "sensor_crosstalk"
+    variant = "fading"
+
+    coupling: SixBySix
+    time_constant_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """Each of one channel or several shows in another one, by 1 to 3 % of the ranges, and fades within 2 to 20 s."""
+        return cls(matrix_of(size * np.array(coupling(rng, 0.01, 0.03, setting))), draw_log_uniform(rng, 2.0, 20.0))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """Adds `coupling (W - faded)`, `faded` following W with the time constant; loaded for long before the start."""
+        coupled, forget = np.array(self.coupling), -math.expm1(-machine.period / self.time_constant_s)
+        faded: Array | None = None
+
+        def show(_: float, W: Array) -> Array:
+            nonlocal faded
+            faded = W if faded is None else faded + forget * (W - faded)
+            return np.asarray(W + coupled @ (W - faded))
+
+        return show
+
+
+@dataclass(frozen=True)
+class Shunt(Fault):
+    """A cover beside the beams carries a share of small loads, and no more than so much of large ones: `W - h tanh(W / w)`."""
+
+    id = "sensor_nonlinearity"
+    variant = "shunt"
+
+    height_wrench: Six
+    width_wrench: Six
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """0.5 to 2 % of the nominal load in one channel or several, nearly reached at 10 to 30 % of that load."""
+        load = np.maximum(setting.load, 1e-3 * setting.full_scale)
+        height = size * channels(rng) * np.abs(draw_signed_log_uniform(rng, 0.005, 0.02, 6)) * load
+        return cls(six(height), six(rng.uniform(0.1, 0.3) * load))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """Takes `h tanh(W / w)` off each channel."""
+        height, width = np.array(self.height_wrench), np.array(self.width_wrench)
+        return lambda _, W: W - height * np.tanh(W / width)
+
+
 SENSOR_RESPONSE: tuple[type[Fault], ...] = (
     Gain,
     TwoSidedGain,
@@ -266,4 +339,7 @@ SENSOR_RESPONSE: tuple[type[Fault], ...] = (
     WarmingSupply,
     ProductCrosstalk,
     Bow,
+    LostGauge,
+    FadingCrosstalk,
+    Shunt,
 )

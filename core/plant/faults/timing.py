@@ -205,6 +205,44 @@ class PolledDrives(Fault):
         return ask
 
 
+@dataclass(frozen=True)
+class Reconnecting(Fault):
+    """Comes over a connection that breaks now and then, and has another backlog each time it is there again: the delay stays for some ten
+    seconds and then is another one. A longer one begins with a reading that waits, a shorter one with readings that are skipped."""
+
+    id = "time_delay"
+    variant = "reconnecting"
+
+    delay_s: float
+    swing_share: float
+    mean_s: float
+    """How long a connection holds, on average."""
+    seed: int
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """4 to 40 ms, swing of 30 to 80 % to either side, connections of 6 to 20 s on average."""
+        delay, swing = size * draw_log_uniform(rng, 0.004, 0.04), float(rng.uniform(0.3, 0.8))
+        return cls(delay, swing, draw_log_uniform(rng, 6.0, 20.0), seed_of(rng))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """The wrench of `delay (1 + swing x)` before, x between -1 and 1 for each connection."""
+        rng = np.random.default_rng(self.seed)
+        history = History((1 + self.swing_share) * self.delay_s, machine.period)
+        age, backlog, until = math.inf, 0.0, 0.0
+
+        def late(t: float, W: Array) -> Array:
+            nonlocal age, backlog, until
+            history.push(W)
+            while t >= until:
+                backlog = self.delay_s * (1 + self.swing_share * rng.uniform(-1.0, 1.0))
+                until += rng.exponential(self.mean_s)
+            age = min(age + machine.period, backlog)  # nothing is read that is older than what was read before
+            return history.ago(age)
+
+        return late
+
+
 TIMING: tuple[type[Fault], ...] = (
     Delay,
     JitteryDelay,
@@ -213,4 +251,5 @@ TIMING: tuple[type[Fault], ...] = (
     SlippingBuffer,
     DriftingClock,
     PolledDrives,
+    Reconnecting,
 )

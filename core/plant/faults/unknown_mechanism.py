@@ -12,9 +12,9 @@ import numpy as np
 from core.array import Array
 from core.plant.arm import arm_of_cell
 from core.plant.faults.base import lean_gravity, tilt_of
-from core.plant.faults.draws import direction, draw_log_uniform, draw_signed_log_uniform, some_joints, three
+from core.plant.faults.draws import direction, draw_log_uniform, draw_signed_log_uniform, sign, some_joints, three
 from core.plant.faults.fault import Act, Fault, Joints, Machine, Setting, Three, Unknown
-from core.plant.faults.grip import Grip, cross_vectors
+from core.plant.faults.grip import Grip, cross_vectors, grip_of
 from core.plant.faults.mounting import turn_frame
 from core.plant.mechanics import arm_joints
 
@@ -189,6 +189,63 @@ class Fan(Unknown):
         return blow
 
 
+@dataclass(frozen=True)
+class CoupledWrist(Unknown):
+    """Shafts one inside the other drive the wrist, and the controller takes the joint before along with the wrong ratio: a joint stands
+    farther than its encoder says by a share of the angle of the joint before it."""
+
+    variant = "coupled_wrist"
+
+    joint: int
+    share: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """0.5 to 4 % of the angle of the joint before, with either sign, in one of the last three joints."""
+        return cls(int(rng.integers(setting.n - 3, setting.n)), size * sign(rng) * draw_log_uniform(rng, 0.005, 0.04))
+
+    def gear(self, machine: Machine) -> Joints | None:
+        """Shows q of the joint less `share` times q of the one before, and their rates alike."""
+        mixed = np.eye(machine.setting.n)
+        mixed[self.joint, self.joint - 1] = -self.share
+        return lambda _, q, dq: (mixed @ q, mixed @ dq)
+
+
+@dataclass(frozen=True)
+class SteelColumn(Unknown):
+    """A magnetic gripper near a steel column is drawn to it, with the fourth power of how near it is, as a magnet is by its image behind
+    the steel's face; never more than 16 times as much as at home."""
+
+    variant = "steel_column"
+
+    pull_n: float
+    """At home."""
+    towards: Three
+    """Unit vector, world frame, horizontal."""
+    distance_m: float
+    """At home."""
+    at_m: Three
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """0.1 to 1 N at home, 15 to 40 cm away in any horizontal direction, the magnet 3 to 10 cm from the sensor."""
+        heading = rng.uniform(0, 2 * np.pi)
+        towards = three(np.array([np.cos(heading), np.sin(heading), 0.0]))
+        return cls(size * draw_log_uniform(rng, 0.1, 1.0), towards, draw_log_uniform(rng, 0.15, 0.4), grip_of(rng))
+
+    def act(self, machine: Machine) -> Act | None:
+        """Pulls at the magnet by `pull (distance at home / distance)^4`, level with it."""
+        grip, towards = Grip(machine, np.array(self.at_m)), np.array(self.towards)
+        face = float(towards @ grip.place()) + self.distance_m
+
+        def draw_near(_: float) -> None:
+            place = grip.place()
+            away = max(face - float(towards @ place), 0.5 * self.distance_m)
+            grip.push(place, self.pull_n * (self.distance_m / away) ** 4 * towards)
+
+        return draw_near
+
+
 UNKNOWN_MECHANISM: tuple[type[Fault], ...] = (
     WarpingBase,
     SlippingEncoders,
@@ -196,4 +253,6 @@ UNKNOWN_MECHANISM: tuple[type[Fault], ...] = (
     SpinningRotor,
     NeighbouringPress,
     Fan,
+    CoupledWrist,
+    SteelColumn,
 )

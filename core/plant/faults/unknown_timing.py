@@ -8,8 +8,9 @@ from typing import Self
 import numpy as np
 
 from core.array import Array
-from core.plant.faults.draws import channels, draw_signed_log_uniform, six
+from core.plant.faults.draws import channels, draw_log_uniform, draw_signed_log_uniform, six
 from core.plant.faults.fault import Channel, Fault, Machine, Setting, Six, Unknown
+from core.plant.faults.grip import cross_vectors
 from core.plant.faults.history import History
 
 
@@ -42,4 +43,39 @@ class SkewedChannels(Unknown):
         return skew
 
 
-UNKNOWN_TIMING: tuple[type[Fault], ...] = (SkewedChannels,)
+@dataclass(frozen=True)
+class StaleTransform(Unknown):
+    """The controller reports the wrench in the axes of the cell and about its origin, with the pose of some cycles ago; who reads it brings
+    it back with the pose of now. Neither wrench nor joints are late, and at rest all is well; in motion the wrench is turned by how far the
+    sensor has turned meanwhile, and its torque is about the place where the sensor was."""
+
+    variant = "stale_transform"
+
+    stale_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """4 to 40 ms."""
+        return cls(size * draw_log_uniform(rng, 0.004, 0.04))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """Takes the wrench to the world with the sensor's pose of `stale_s` before and back with that of now."""
+        site = int(machine.model.site("ft").id)
+        axes, place = machine.data.site_xmat[site], machine.data.site_xpos[site]
+        history = History(self.stale_s, machine.period)
+
+        def report(_: float, W: Array) -> Array:
+            history.push(np.concatenate((axes, place)))
+            pose = history.ago(self.stale_s)
+            then, now = pose[:9].reshape(3, 3), axes.reshape(3, 3)
+            force = then @ W[:3]
+            torque = then @ W[3:] + cross_vectors(pose[9:] - place, force)
+            return np.concatenate((now.T @ force, now.T @ torque))
+
+        return report
+
+
+UNKNOWN_TIMING: tuple[type[Fault], ...] = (
+    SkewedChannels,
+    StaleTransform,
+)

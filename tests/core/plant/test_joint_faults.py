@@ -5,9 +5,9 @@ import pinocchio as pin
 import pytest
 from scipy import optimize
 
-from core.plant.faults.joint_gears import DamagedTooth, DryFriction, FrictionByLoad, LuGre, Ripple, UnevenRipple
-from core.plant.faults.joint_play import DeadZone, PlayByLoad, PlayByMotion
-from core.plant.faults.joint_springs import CreepingJoints, ElasticJoints, HardeningJoints, spring_damping
+from core.plant.faults.joint_gears import DamagedTooth, DryFriction, FrictionByLoad, LoadedRipple, LuGre, Ripple, UnevenRipple
+from core.plant.faults.joint_play import DeadZone, PlayByLoad, PlayByMotion, SplitGear
+from core.plant.faults.joint_springs import CreepingJoints, ElasticJoints, HardeningJoints, LossyJoints, spring_damping
 from tests.core.plant.fault_oracle import AWAY, CELL, EXACT, HOME, PAYLOAD, PERIOD, clean, path, rigid, run, still
 from tests.core.plant.plant_oracle import PinocchioArm
 
@@ -150,3 +150,51 @@ def test_friction_by_load_takes_its_share_of_the_torque(speed):
     found = run(FrictionByLoad((3.0, 0, 0, 0, 0, 0, 0), (0.2, 0, 0, 0, 0, 0, 0)), along=along).true_tau[-200:, 0].mean()
     # tau = (what it took + dry) + share tau
     assert abs(found - (without + 3.0 * np.sign(speed)) / 0.8) < 0.15
+
+
+def test_a_split_gear_has_no_play_below_its_preload_and_all_of_it_beyond():
+    half, K, soft = 5e-4, 2e4, 0.05
+    load = gravity_torque(HOME)
+    assert abs(load[5]) < 3.0 < 3.0 + soft * K * half < abs(load[3])
+    found = run(SplitGear((0, 0, 0, half, 0, half, 0), K, 3.0, soft))
+    sag = (found.true_q - found.q)[150]
+    # beyond: the preload, the soft springs over the play, and the teeth for the rest
+    assert abs(sag[3] + np.sign(load[3]) * (half + (abs(load[3]) - soft * K * half) / K)) < 2e-5
+    assert abs(sag[5] + load[5] / K) < 2e-5
+    np.testing.assert_allclose(np.delete(sag, (3, 5)), 0.0, atol=2e-5)
+    np.testing.assert_allclose(found.true_wrench[::9], rigid(found), atol=EXACT)
+
+
+def test_lossy_joints_come_back_on_another_line_however_slowly():
+    K, reversal, bend = 3e3, 2.5, 8e-4
+    along = np.vstack((path()[:900], path()[700:200:-1], still(HOME, 2.0)))
+    found = run(LossyJoints((K,) * 7, reversal, bend), along=along)
+    sag, load = found.true_q - found.q, gravity_torque(found.true_q[-1])
+    np.testing.assert_allclose(sag[100], -load / K, atol=2e-5)
+    lost = K * sag[-1] + load  # what the flexible wheel holds back
+    height = (reversal - 1) * K * bend
+    assert 0.1 * height < np.abs(lost).max() <= height  # ringing down has taken some of it away
+    np.testing.assert_allclose(sag[-1], sag[-600], atol=2e-5)  # it stays, unlike creep
+    # Dahl's equation by steps along the way that the joints went; the encoders' noise adds a little
+    smooth = np.apply_along_axis(lambda x: np.convolve(x, np.full(15, 1 / 15), "valid"), 0, sag)
+    for k in (1, 3, 5):
+        z = 0.0
+        for dx in np.diff(smooth[:, k]):
+            z += (dx - abs(dx) * z) / bend
+        assert abs(lost[k] + height * z) < 0.05 * height
+    np.testing.assert_allclose(found.true_wrench[::9], rigid(found), atol=EXACT)
+
+
+def test_a_loaded_ripple_grows_with_the_weight_on_the_joint_and_changes_flanks_with_it():
+    phase = np.linspace(0, 3, 7)
+    found = run(LoadedRipple((3e-4,) * 7, (160,) * 7, tuple(phase), 4.0))
+    arm = PinocchioArm.of(CELL, PAYLOAD, g)
+    shares = []
+    for k in range(140, 1400, 30):
+        load = pin.nonLinearEffects(arm.model, arm.data, found.true_q[k], found.true_dq[k])
+        shares.append(np.tanh(load / 4.0))
+        expected = 3e-4 * shares[-1] * np.sin(160 * found.true_q[k] + phase)
+        np.testing.assert_allclose((found.q - found.true_q)[k], expected, atol=2e-5)
+    assert np.ptp(shares, axis=0).max() > 0.5
+    assert abs(shares[0][0]) < 1e-6  # the first joint stands upright
+    np.testing.assert_allclose(found.true_wrench[::9], rigid(found), atol=EXACT)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from core.plant.faults.loose import Pendulum, Rattle, RubberTool, Slosh, SprungPart, WhippingTool
+from core.plant.faults.loose import IdleRoller, Pendulum, Rattle, RubberTool, Slosh, SprungPart, WhippingTool
 from core.plant.faults.payload import ForgottenPart, Leak, MassStep, OtherDensity, Slide, Slip
 from tests.core.plant.fault_oracle import AWAY, EXACT, HOME, PAYLOAD, clean, felt_gravity, rigid, run, static, still
 from tests.core.plant.plant_oracle import smooth_move
@@ -129,3 +129,29 @@ def test_what_swings_in_a_vessel_hangs_down_or_lies_at_its_wall(half_angle):
     m = PAYLOAD.mass
     expected = static(m, PAYLOAD.first_moment + 0.2 * m * (pivot + length * lies - PAYLOAD.com), found.true_q[-1])
     np.testing.assert_allclose(found.true_wrench[-1], expected, atol=5e-3)
+
+
+def test_a_roller_lets_its_heavy_side_down_and_stays_where_its_axis_is_upright():
+    m, mc = PAYLOAD.mass, PAYLOAD.first_moment
+    axis, lever = np.array([0.6, 0.0, 0.8]), 0.03 * np.array([0.0, 1.0, 0.0])
+    down = felt_gravity(HOME) - axis * (axis @ felt_gravity(HOME))
+    low = 0.03 * down / np.linalg.norm(down)
+    found = run(IdleRoller(0.2, tuple(axis), tuple(lever), 0.0, 0.1), along=still(HOME, 0.05))
+    np.testing.assert_allclose(found.true_wrench[-1], static(m, mc + 0.2 * m * (low - lever)), atol=3e-3)
+    upright = felt_gravity(HOME) / 9.81
+    lever = 0.03 * np.cross(upright, [0.0, 1.0, 0.0])
+    found = run(IdleRoller(0.2, tuple(upright), tuple(lever), 0.1, 0.1), along=still(HOME, 0.05))
+    np.testing.assert_allclose(found.true_wrench[-1], static(m, mc), atol=3e-3)
+
+
+def test_a_roller_in_a_dry_bearing_stops_where_friction_holds_its_heavy_side():
+    down = felt_gravity(HOME) / 9.81
+    axis = np.cross(down, [0.0, 1.0, 0.0]) / np.linalg.norm(np.cross(down, [0.0, 1.0, 0.0]))
+    lever = 0.03 * np.cross(axis, down)  # level with the axis to begin with
+    found = run(IdleRoller(0.2, tuple(axis), tuple(lever), 0.2, 0.6), along=still(HOME, 0.05))
+    moved = (found.true_wrench[-1] - static(PAYLOAD.mass, PAYLOAD.first_moment))[3:]
+    # what the weight of the lever still weighs about the axis is not more than the friction
+    about = axis @ moved / (0.2 * PAYLOAD.mass * 9.81 * 0.03)
+    level = axis @ np.cross(lever, -felt_gravity(HOME)) / (9.81 * 0.03)
+    assert abs(about + level) <= 0.2 + 0.01
+    assert abs(about) > 0.5

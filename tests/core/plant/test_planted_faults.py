@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 from core.errors import BadPayload
 from core.payload.inertia import InertialParameters
 from core.plant.faults import FAULTS, Background, Setting, variants
+from core.plant.faults.arm_imperfections import ARM_IMPERFECTIONS
 from core.plant.faults.base import TiltedBase
 from core.plant.faults.loose import SprungPart
 from core.plant.faults.payload import OtherDensity, Slip
@@ -65,7 +66,7 @@ def test_every_effect_has_a_fault_and_half_of_them_another_shape():
     assert variants("nonsense") == ()
 
 
-@pytest.mark.parametrize("fault", (*FAULTS, Background), ids=lambda fault: f"{fault.id}-{fault.variant}")
+@pytest.mark.parametrize("fault", (*FAULTS, Background, *ARM_IMPERFECTIONS), ids=lambda fault: f"{fault.id}-{fault.variant}")
 @pytest.mark.parametrize("cell", CELLS.values(), ids=CELLS)
 def test_draws_repeat_by_seed_and_their_truth_is_json(fault, cell):
     setting = Setting(cell, cell.payloads["cylinder"].parameters)
@@ -141,6 +142,21 @@ PLAUSIBLE = {
     "payload_loose-vessel": (lambda f: f.part_share, 0.05, 0.3),
     "cable_drag-reel": (lambda f: f.pull_n, 0.5, 5.0),
     "external_contact-cushion": (lambda f: norm(f.force_n, F), 1.0, 15.0),
+    "sensor_drift-heat_front": (lambda f: norm(f.drift_wrench, F), 0.3, 4.0),
+    "sensor_offset_step-clicks": (lambda f: norm(f.step_wrench, F), 1.0, 2.0),
+    "sensor_gain-lost_gauge": (lambda f: largest(f.gain_share), 0.01, 0.05),
+    "sensor_crosstalk-fading": (lambda f: largest(f.coupling * SETTING.full_scale / SETTING.full_scale[:, None]), 0.01, 0.03),
+    "sensor_nonlinearity-shunt": (lambda f: largest(f.height_wrench / SETTING.load), 0.005, 0.02),
+    "sensor_hysteresis-microslip": (lambda f: largest(f.height_wrench / SETTING.full_scale), 0.001, 0.004),
+    "sensor_creep-slow_recovery": (lambda f: abs(f.creep_share), 0.002, 0.01),
+    "time_delay-reconnecting": (lambda f: f.delay_s, 0.004, 0.04),
+    "sensor_lowpass-aged_capacitor": (lambda f: f.cut_off_hz, 2.0, 20.0),
+    "joint_elasticity-lossy": (lambda f: f.stiffness_n_m_per_rad[0], 2e3, 1e4),
+    "joint_backlash-split_gear": (lambda f: largest(f.half_play_rad) / DEGREE, 0.01, 0.05),
+    "gear_ripple-by_load": (lambda f: f.amplitude_rad[0] / DEGREE * 60, 0.25, 1.0),
+    "payload_loose-roller": (lambda f: f.part_share, 0.05, 0.3),
+    "cable_drag-catenary": (lambda f: f.weight_n_per_m, 1.0, 8.0),
+    "external_contact-curtain": (lambda f: f.force_n, 1.0, 15.0),
 }
 
 
@@ -171,7 +187,7 @@ def test_a_fault_of_no_size_is_no_fault(fault):
     np.testing.assert_allclose(faulty.true_tau, healthy.true_tau[:500], atol=0.02 + 0.003 * np.abs(healthy.true_tau).max())
 
 
-@pytest.mark.parametrize("fault", (*FAULTS, Background), ids=lambda fault: f"{fault.id}-{fault.variant}")
+@pytest.mark.parametrize("fault", (*FAULTS, Background, *ARM_IMPERFECTIONS), ids=lambda fault: f"{fault.id}-{fault.variant}")
 def test_a_large_fault_is_finite_and_the_same_again(fault):
     planted = drawn(fault, 2, size=3.0)
     along = path()[:350]

@@ -4,10 +4,13 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.special import erfc
 
-from core.plant.faults.sensor_memory import BoucWen, Creep, LogarithmicCreep, PlayHysteresis, StickAndSnap
+from core.plant.faults.sensor_memory import BoucWen, Creep, LogarithmicCreep, Microslip, PlayHysteresis, SlowRecovery, StickAndSnap
 from core.plant.faults.sensor_offset import (
+    Clicks,
     ExponentialDrift,
+    HeatFront,
     LinearDrift,
     OffsetKnock,
     OffsetRamp,
@@ -19,16 +22,19 @@ from core.plant.faults.sensor_offset import (
 from core.plant.faults.sensor_response import (
     Bow,
     Crosstalk,
+    FadingCrosstalk,
     Gain,
     Knee,
+    LostGauge,
     ProductCrosstalk,
     Quadratic,
     RectifiedCrosstalk,
+    Shunt,
     TwoSidedGain,
     WanderingSupply,
     WarmingSupply,
 )
-from core.plant.faults.sensor_saturation import Clipping, Compression
+from core.plant.faults.sensor_saturation import Clipping, Compression, GaugeClipping
 from tests.core.plant.fault_oracle import PERIOD, SETTING, SIGNAL, SIX, clean, constant, run, through, triangle
 
 ALL = (1.0,) * 6
@@ -43,6 +49,11 @@ ALL = (1.0,) * 6
         (OffsetStep(tuple(SIX), 1.0), lambda t: np.where(t >= 1.0 - 1e-9, 1.0, 0.0)),
         (OffsetRamp(tuple(SIX), 1.0, 0.4), lambda t: np.interp(t, [1.0, 1.4], [0, 1])),
         (OffsetKnock(tuple(SIX), 1.0, 0.6, 0.3), lambda t: np.where(t < 1.0 - 1e-9, 0, 0.6 + 0.4 * np.exp((1.0 - t) / 0.3))),
+        (HeatFront(tuple(SIX), 1.5), lambda t: erfc(np.sqrt(1.5 / np.maximum(t, 1e-9)))),
+        (
+            Clicks(tuple(SIX), (0.4995, 1.0995, 2.4995), (0.5, 0.2, 0.3)),
+            lambda t: 0.5 * (t > 0.4995) + 0.2 * (t > 1.0995) + 0.3 * (t > 2.4995),
+        ),
     ],
     ids=lambda value: getattr(value, "variant", ""),
 )
@@ -161,6 +172,79 @@ def test_what_sticks_holds_back_to_its_width_and_snaps():
     np.testing.assert_allclose(slopes[slopes < 0], -0.2 * 0.002, atol=1e-9)
     back = through(StickAndSnap((0.3,) * 6, 0.2).sense(SIGNAL), np.outer(load[::-1], np.ones(6)))[:, 0] - load[::-1]
     assert back.max() > 0.298
+
+
+def test_a_heat_front_comes_as_heat_goes_behind_a_thick_wall():
+    """The heat equation by finite differences, one side hot from the start on, felt at depth 1."""
+    dx, dt = 0.05, 0.001
+    heat, felt = np.zeros(400), []
+    heat[0] = 1.0
+    for _ in range(4000):
+        felt.append(heat[20])
+        heat[1:-1] += dt / dx**2 * np.diff(heat, 2)
+    found = through(HeatFront(ALL, 0.25).sense(SIGNAL), np.zeros((4000, 6)))[:, 0]
+    np.testing.assert_allclose(found, felt, atol=2e-3)
+    assert found[20] < 1e-4
+    assert found[2000] > 0.5
+
+
+def test_a_lost_gauge_is_a_gain_from_its_moment_on():
+    found = through(LostGauge((-0.04, 0, 0, -0.02, 0, 0), 0.5).sense(SIGNAL), constant(1.0)) / SIX
+    np.testing.assert_allclose(found[:500], 1.0, atol=1e-12)
+    np.testing.assert_allclose(found[500:], np.tile([0.96, 1, 1, 0.98, 1, 1], (500, 1)), atol=1e-12)
+
+
+def test_a_shunt_takes_a_share_of_small_loads_and_no_more_than_so_much_of_large_ones():
+    fault = Shunt((0.2,) * 6, (2.0,) * 6)
+    error = [fault.sense(SIGNAL)(0.0, np.full(6, x))[1] - x for x in (0.0, 0.01, -0.01, 20.0, -40.0)]
+    np.testing.assert_allclose(error, [0.0, -0.001, 0.001, -0.2, 0.2], atol=1e-6)
+
+
+def test_fading_crosstalk_shows_a_change_and_forgets_it():
+    C = np.zeros((6, 6))
+    C[3, 2] = 0.02
+    fault = FadingCrosstalk(tuple(map(tuple, C)), 0.4)
+    W = np.vstack((constant(0.2), 3 * constant(1.0)))
+    error = through(fault.sense(SIGNAL), W) - W
+    np.testing.assert_allclose(error[:200], 0.0, atol=1e-12)
+    t = PERIOD * np.arange(1, 1001)
+    np.testing.assert_allclose(error[200:, 3], 0.02 * 2 * SIX[2] * np.exp(-t / 0.4), atol=1e-9)
+    np.testing.assert_allclose(np.delete(error, 3, axis=1), 0.0, atol=1e-12)
+
+
+def test_microslip_opens_a_loop_that_grows_with_the_square_of_the_load():
+    """Masing's rules on the first branch `h (2 x / w - (x / w)^2)`, which turns back as twice that of half the way."""
+    h, w = 0.4, 10.0
+    fault = Microslip((h,) * 6, (w,) * 6)
+    widths = []
+    for top in (3.0, 6.0):
+        load = triangle(top, 0.5, 9)
+        error = through(fault.sense(SIGNAL), np.outer(load, np.ones(6)))[:, 0] - load
+        np.testing.assert_allclose(error[:500], -h * (2 * load[:500] / w - (load[:500] / w) ** 2), atol=0.004)
+        rising, falling = error[2000], error[3000]  # at zero load, going up and down
+        assert rising == pytest.approx(-falling, abs=1e-3)
+        widths.append(falling - rising)
+    np.testing.assert_allclose(widths, [h * (top / w) ** 2 for top in (3.0, 6.0)], rtol=0.05)
+
+
+def test_a_slow_recovery_takes_longer_than_the_creep_before():
+    W = np.vstack((np.zeros((10, 6)), constant(1.0), np.zeros((1000, 6))))
+    crept = (through(SlowRecovery(0.01, 0.3, 1.2).sense(SIGNAL), W) - W)[10:] / (0.01 * SIX)
+    t = PERIOD * np.arange(1, 1001)
+    np.testing.assert_allclose(crept[:1000], np.outer(1 - np.exp(-t / 0.3), np.ones(6)), atol=1e-9)
+    np.testing.assert_allclose(crept[1000:], crept[999] * np.exp(-t / 1.2)[:, None], atol=1e-9)
+
+
+def test_a_gauge_at_its_end_spoils_the_channels_in_which_its_beam_counts():
+    fault = GaugeClipping((15.0, 1e4, 1e4, 1e4, 1e4, 20.0), 0.03)
+    clip = fault.amplify(SIGNAL)
+    within = np.array([5.0, -4.0, 30.0, 0.1, 0.05, 0.2])
+    np.testing.assert_allclose(clip(0.0, within), within, atol=1e-12)
+    # 60 N along the axis: 20 N on each beam, of which the first one, 3 cm along x, shows 15
+    np.testing.assert_allclose(clip(0.0, np.array([0, 0, 60.0, 0, 0, 0])), [0, 0, 55.0, 0, 0.03 * 5.0, 0], atol=1e-9)
+    # 2.7 N m about the axis: 30 N round it on each beam, of which the third one, at 240 degrees, shows 20
+    s, c = np.sin(4 * np.pi / 3), np.cos(4 * np.pi / 3)
+    np.testing.assert_allclose(clip(0.0, np.array([0, 0, 0, 0, 0, 2.7])), [10 * s, -10 * c, 0, 0, 0, 2.4], atol=1e-9)
 
 
 def test_a_thermostat_warms_and_cools_in_turn():

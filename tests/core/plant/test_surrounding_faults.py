@@ -2,12 +2,22 @@
 
 import numpy as np
 import pinocchio as pin
+import pytest
 from scipy.spatial.transform import Rotation
 
-from core.plant.faults.cable import Reel, SlackCable, SpringCable, TwistedHose
-from core.plant.faults.contact import Bumps, Cushion, GrowingTouch, Touch
-from core.plant.faults.unknown_mechanism import BentLink, Fan, NeighbouringPress, SlippingEncoders, SpinningRotor, WarpingBase
-from tests.core.plant.fault_oracle import CELL, EXACT, HOME, PAYLOAD, PERIOD, clean, point, rigid, run, sensor_pose, static, still
+from core.plant.faults.cable import HangingHose, Reel, SlackCable, SpringCable, TwistedHose
+from core.plant.faults.contact import Bumps, Curtain, Cushion, GrowingTouch, Touch
+from core.plant.faults.unknown_mechanism import (
+    BentLink,
+    CoupledWrist,
+    Fan,
+    NeighbouringPress,
+    SlippingEncoders,
+    SpinningRotor,
+    SteelColumn,
+    WarpingBase,
+)
+from tests.core.plant.fault_oracle import AWAY, CELL, EXACT, HOME, PAYLOAD, PERIOD, clean, point, rigid, run, sensor_pose, static, still
 from tests.core.plant.plant_oracle import PinocchioArm
 
 g = CELL.gravity
@@ -175,3 +185,66 @@ def test_a_panel_that_moves_feels_the_air():
     assert abs(20.0 * across * abs(across)) > 0.2
     resistance = 20.0 * across * abs(across) * sensor_pose(found.true_q[k]).rotation.T @ facing
     np.testing.assert_allclose(excess[k, :3], resistance, atol=0.005)
+
+
+def test_a_hanging_hose_pulls_as_a_chain_of_its_length_that_ends_at_its_anchor():
+    weight, length = 4.0, 1.1
+    anchor, grip = np.array([0.25, -0.4, 0.5]), np.array([0.0, 0.03, 0.06])
+    found = run(HangingHose(weight, length, tuple(anchor), tuple(grip)))
+    excess = found.true_wrench - rigid(found, every=1)
+    fixed = point(HOME, grip) + anchor
+    for k in (150, 890, 1350):
+        pull = -sensor_pose(found.true_q[k]).rotation @ excess[k, :3]
+        np.testing.assert_allclose(excess[k, 3:], np.cross(grip, excess[k, :3]), atol=2e-3)
+        # link by link from the grip: each carries what the one before pulls and its own weight
+        s = length * (np.arange(4000) + 0.5) / 4000
+        tension = pull + np.outer(weight * s, [0.0, 0.0, 1.0])
+        end = point(found.true_q[k], grip) + length / 4000 * (tension / np.linalg.norm(tension, axis=1)[:, None]).sum(0)
+        np.testing.assert_allclose(end, fixed, atol=3e-3)
+
+
+def test_a_curtain_pushes_back_and_rubs_only_while_one_is_in_it():
+    at = np.array([0.02, 0.05, 0.08])
+    there = point(HOME + AWAY, at) - point(HOME, at)
+    way = there / np.linalg.norm(there)
+    outward = -(way + 0.5 * np.cross(way, [0, 0, 1])) / np.linalg.norm(way + 0.5 * np.cross(way, [0, 0, 1]))
+    found = run(Curtain(6.0, tuple(outward), 0.02, 0.1, 0.4, tuple(at)))
+    excess = found.true_wrench - rigid(found, every=1)
+    felt, inside = [], []
+    for k in (150, 400, 450, 500, 850, 1000, 1350):
+        # forces are those of the motion one period ago
+        before, place = point(found.true_q[k - 2], at), point(found.true_q[k - 1], at)
+        v = (place - before) / PERIOD
+        along = v - outward * (outward @ v)
+        speed = np.linalg.norm(along)
+        inside.append(outward @ (point(HOME, at) - place) - 0.02)
+        rubbing = 0.4 * along / speed if speed > 0.05 else np.zeros(3)
+        force = sensor_pose(found.true_q[k]).rotation.T @ (6.0 * np.clip(inside[-1] / 0.1, 0.0, 1.0) * (outward - rubbing))
+        np.testing.assert_allclose(excess[k], -np.concatenate((force, np.cross(at, force))), atol=0.05)
+        felt.append(np.linalg.norm(force))
+    assert felt[0] == 0.0
+    assert max(felt) > 3.0
+    assert max(inside) > 0.05
+
+
+def test_a_steel_column_pulls_with_the_fourth_power_of_nearness_and_level():
+    at, towards = np.array([0.02, 0.05, 0.08]), np.array([0.6, -0.8, 0.0])
+    found = run(SteelColumn(1.5, tuple(towards), 0.25, tuple(at)))
+    excess = found.true_wrench - rigid(found, every=1)
+    pulls = []
+    for k in (150, 450, 890, 1350):
+        nearer = towards @ (point(found.true_q[k], at) - point(HOME, at))
+        pulls.append(1.5 / (1 - nearer / 0.25) ** 4)
+        force = sensor_pose(found.true_q[k]).rotation.T @ (pulls[-1] * towards)
+        np.testing.assert_allclose(excess[k], -np.concatenate((force, np.cross(at, force))), atol=0.03)
+    assert pulls[0] == pytest.approx(1.5, abs=0.01)
+    assert max(pulls) / min(pulls) > 1.2
+
+
+def test_a_coupled_wrist_turns_along_with_the_joint_before():
+    found = run(CoupledWrist(5, 0.015))
+    ahead = found.true_q - found.q
+    np.testing.assert_allclose(ahead[:, 5], 0.015 * found.true_q[:, 4], atol=2e-5)
+    np.testing.assert_allclose(np.delete(ahead, 5, axis=1), 0.0, atol=2e-5)
+    assert np.ptp(ahead[:, 5]) > 0.005
+    np.testing.assert_allclose(found.true_wrench[::9], rigid(found), atol=EXACT)

@@ -6,10 +6,19 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from core.plant.faults.dropout import LONGEST_BURST_S, HeldWrench, LostBursts, PreemptedBus, SlowSensor
-from core.plant.faults.lowpass import Butterworth, FirstOrderFilter, MovingAverage, WeighingFilter
-from core.plant.faults.timing import Delay, DriftingClock, JitteryDelay, MotionLag, MotionLagThirdOrder, PolledDrives, SlippingBuffer
-from core.plant.faults.unknown_timing import SkewedChannels
-from tests.core.plant.fault_oracle import PERIOD, SETTING, SIGNAL, SIX, clean, constant, run, sine, through
+from core.plant.faults.lowpass import AgedCapacitor, Butterworth, FirstOrderFilter, MovingAverage, WeighingFilter
+from core.plant.faults.timing import (
+    Delay,
+    DriftingClock,
+    JitteryDelay,
+    MotionLag,
+    MotionLagThirdOrder,
+    PolledDrives,
+    Reconnecting,
+    SlippingBuffer,
+)
+from core.plant.faults.unknown_timing import SkewedChannels, StaleTransform
+from tests.core.plant.fault_oracle import PERIOD, SETTING, SIGNAL, SIX, clean, constant, run, sensor_pose, sine, through
 
 
 @settings(deadline=None)
@@ -120,6 +129,45 @@ def test_a_preempted_bus_stands_still_in_step_with_its_cycle():
     begins = np.flatnonzero(np.diff(stale.astype(int)) == 1)
     assert set(np.diff(begins)) == {11, 12}
     assert abs(np.diff(begins).mean() - 11.3) < 0.01
+
+
+def test_each_connection_has_its_delay_and_no_reading_is_older_than_the_one_before():
+    t = PERIOD * np.arange(20_000)
+    read = through(Reconnecting(0.02, 0.6, 2.0, 7).sense(SIGNAL), np.outer(t, np.ones(6)))[:, 0]
+    late = (t - read)[100:]
+    assert np.diff(read).min() >= -1e-12
+    assert 0.008 - 1e-9 <= late.min() < late.max() <= 0.032 + 1e-9
+    assert np.ptp(late) > 0.01
+    changes = np.abs(np.diff(late)) > 1e-9
+    assert changes.mean() < 0.02
+    begins = np.flatnonzero(np.diff(changes.astype(int)) == 1)
+    assert 4 <= len(begins) <= 20
+
+
+def test_an_aged_capacitor_lets_its_share_pass_at_once():
+    fault = AgedCapacitor(4.0, 0.3)
+    step = through(fault.sense(SIGNAL), np.vstack((constant(0.1), 2 * constant(0.4))))[100:] / SIX
+    t = PERIOD * np.arange(1, 401)
+    expected = 1 + 0.3 + 0.7 * (1 - np.exp(-2 * np.pi * 4.0 * t))
+    np.testing.assert_allclose(step, np.outer(expected, np.ones(6)), atol=1e-9)
+    fast = through(fault.sense(SIGNAL), sine(200.0, 1.0))[500:, 0] / SIX[0]
+    assert abs(np.abs(fast).max() - 0.3 * np.sin(0.4 * np.pi)) < 0.02
+
+
+def test_a_stale_transform_turns_the_wrench_by_the_way_since_and_moves_its_lever():
+    found, stale = run(StaleTransform(0.03)), 30
+    step = np.array(SETTING.cell.sensor.resolution)
+    changed = 0.0
+    for k in (150, 350, 450, 550, 850, 1000, 1350):
+        then, now = sensor_pose(found.true_q[k - stale]), sensor_pose(found.true_q[k])
+        turn = now.rotation.T @ then.rotation
+        force = turn @ found.true_wrench[k, :3]
+        torque = turn @ found.true_wrench[k, 3:] + np.cross(now.rotation.T @ (then.position - now.position), force)
+        change = np.concatenate((force, torque)) - found.true_wrench[k]
+        assert (np.abs(found.wrench[k] - clean().wrench[k] - change) <= 1.01 * step + 1e-3).all()
+        changed = max(changed, float(np.abs(change[3:]).max()))
+    assert changed > 0.1
+    np.testing.assert_allclose(found.wrench[150], clean().wrench[150], atol=1e-3)
 
 
 def test_skewed_channels_are_late_each_by_its_own():
