@@ -15,7 +15,7 @@ from core.cli.options import LanguageOption
 from core.cli.terminal import answers, find_wording, messages
 from core.errors import BadInput
 from core.trial.batch import cores, on_cluster, on_cores, outcomes
-from core.trial.draw import DrawnTrial, draw
+from core.trial.draw import CELLS, DrawnTrial, draw
 from core.trial.folder import append, check_seals, open_folder, read_outcomes
 from core.trial.judgement import mark
 from core.trial.outcome import TrialOutcome
@@ -30,6 +30,10 @@ def trial(
     count: Annotated[int, typer.Option(min=1, help="How many trials, from the first seed on.")] = 1,
     seed: Annotated[int, typer.Option(min=0, help="The first seed.")] = 0,
     seeds: Annotated[str | None, typer.Option(metavar="LIST", help="These seeds instead, as in `300,305,400-420`.")] = None,
+    cell: Annotated[
+        list[str] | None,
+        typer.Option(metavar="CELL", help="A cell to draw from, name or folder; can be repeated. [default: those that ship]"),
+    ] = None,
     report: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder for outcomes and score sheet; a run there goes on.")] = None,
     keep: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder for the recordings, one per seed.")] = None,
     processes: Annotated[int | None, typer.Option(min=1, help="Trials at the same time. [default: one per core]")] = None,
@@ -44,7 +48,7 @@ def trial(
         _make_room(keep, [k for k in wanted if k not in done])
     where = on_cluster(dask) if dask else on_cores(min(processes or cores(), len(wanted)))
     with messages.status(find_wording().say("cli-planning")) if messages.is_terminal else nullcontext():
-        drawn = [draw(k) for k in wanted]
+        drawn = [draw(k, cell or CELLS) for k in wanted]
     check_seals(drawn, done)
     missing = [one for one in drawn if one.sealed.seed not in done]
     for one in missing:

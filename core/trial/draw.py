@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from hashlib import sha256
@@ -13,11 +14,13 @@ from pydantic import BaseModel, ConfigDict
 
 from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
+from core.errors import BadCell
 from core.events import drive
 from core.planning.plan import Plan
 from core.planning.search import plan_stops
 from core.planning.stops import PROCEDURE
 from core.plant.faults import FAULTS, Background, Fault, Setting, variants
+from core.plant.faults.arm_imperfections import draw_arm_imperfections
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.words.message import Message
@@ -66,21 +69,29 @@ class DrawnTrial:
     """A trial before it runs.
 
     Args:
-        background: the small imperfections that are always there.
+        background: the small imperfections that are always there, those of the arm among them.
         faults: what is planted besides.
     """
 
     cell: Cell
     plan: Plan
     sealed: Sealed
-    background: Background
+    background: tuple[Fault, ...]
     faults: tuple[Fault, ...]
 
 
-def draw(seed: int) -> DrawnTrial:
-    """Draws cell, payload and faults of one trial."""
+def draw(seed: int, cells: Sequence[str] = CELLS) -> DrawnTrial:
+    """Draws cell, payload and faults of one trial.
+
+    Args:
+        cells: names or folders, to draw from; each has to know a payload.
+
+    Raises:
+        BadInput: one of them cannot be used, or knows no payload.
+        Refused: the procedure cannot be planned there.
+    """
     rng = np.random.default_rng([seed, 20])
-    name = CELLS[int(rng.integers(len(CELLS)))]
+    name = cells[int(rng.integers(len(cells)))]
     cell, plans = plan_each_payload(name)
     payload = sorted(plans)[int(rng.integers(len(plans)))]
     setting = Setting(cell, cell.payloads[payload].parameters, plans[payload].robot_s)
@@ -93,7 +104,7 @@ def draw(seed: int) -> DrawnTrial:
         faults.append(kinds[int(rng.integers(len(kinds)))].draw(rng, size, setting))
     sealed = Sealed(
         seed=seed,
-        cell=name,
+        cell=cell.name,
         payload=payload,
         kind=kind,
         ids=tuple(str(identifier) for identifier in ids),
@@ -101,13 +112,24 @@ def draw(seed: int) -> DrawnTrial:
         size=size,
         truth=json.dumps([fault.truth for fault in faults]),
     )
-    return DrawnTrial(cell, plans[payload], sealed, Background.draw(rng, 1.0, setting), tuple(faults))
+    background = (Background.draw(rng, 1.0, setting), *draw_arm_imperfections(setting))
+    return DrawnTrial(cell, plans[payload], sealed, background, tuple(faults))
 
 
 @cache
 def plan_each_payload(name: str) -> tuple[Cell, dict[str, Plan]]:
-    """A cell with one plan for each of its payloads; the trials of a process, and the processes it forks, share them."""
+    """A cell with one plan for each of its payloads; the trials of a process, and the processes it forks, share them.
+
+    Args:
+        name: or folder.
+
+    Raises:
+        BadInput: the cell cannot be used, or knows no payload.
+        Refused: the procedure cannot be planned there.
+    """
     cell = load_cell(find_cell(name))
+    if not cell.payloads:
+        raise BadCell(cell.locate("payloads"), "trial-no-payload")
     robot = RobotModel.of_cell(cell)
     home = np.array(cell.robot.home_rad)
     plans = {

@@ -34,14 +34,14 @@ def run_trial(drawn: DrawnTrial, keep: Path | None = None) -> TrialOutcome:
     """
     sealed = drawn.sealed
     try:
-        recording = record_procedure(drawn, (drawn.background, *drawn.faults))
+        recording = record_procedure(drawn, (*drawn.background, *drawn.faults))
     except Stopped as error:
         return make_stopped_outcome(sealed, error.message)
     if keep is not None:
         write_recording(recording, keep / str(sealed.seed))
     diagnosis, evidence = examine(recording, fit_all=one_by_one)
     nominal = drawn.cell.payloads[sealed.payload].parameters
-    payload = true_payload_of(drawn.cell, nominal, (drawn.background, *drawn.faults)).phi
+    payload = true_payload_of(drawn.cell, nominal, (*drawn.background, *drawn.faults)).phi
     bound = Bound() if evidence is None or not sealed.ids else _bound(drawn, recording, evidence)
     truth = _truth(drawn)
     after = None if evidence is None else second_look(drawn, recording, evidence, SMOOTH)
@@ -70,8 +70,8 @@ def without_friction(cell: Cell) -> Cell:
 
 def _bound(drawn: DrawnTrial, recording: Recording, evidence: Evidence) -> Bound:
     nominal = drawn.cell.payloads[drawn.sealed.payload].parameters
-    payload = true_payload_of(drawn.cell, nominal, (drawn.background, *drawn.faults)).phi
-    return bound_of(drawn.sealed.ids, recording, evidence, record_procedure(drawn, (drawn.background,)), nominal.phi, payload)
+    payload = true_payload_of(drawn.cell, nominal, (*drawn.background, *drawn.faults)).phi
+    return bound_of(drawn.sealed.ids, recording, evidence, record_procedure(drawn, drawn.background), nominal.phi, payload)
 
 
 def _truth(drawn: DrawnTrial) -> dict[str, Parameters]:

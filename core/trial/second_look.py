@@ -24,7 +24,7 @@ def second_look(drawn: DrawnTrial, recording: Recording, evidence: Evidence, dri
     """None where the answer asks for no motion, or for none that can be made in the cell or gets by the guard."""
     cell, name = drawn.cell, drawn.sealed.payload
     carried = cell.payloads[name]
-    faults = (drawn.background, *drawn.faults)
+    faults = (*drawn.background, *drawn.faults)
     if not evidence.proposals:
         return None
     try:

@@ -2,6 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import pytest
+
+from core.cell.cell import CELL_FILE
+from core.cell.folder import find_cell
+from core.errors import BadCell
 from core.trial.draw import CELLS, draw
 
 
@@ -17,3 +24,23 @@ def test_trials_are_of_every_kind_in_both_cells():
     assert {sealed.cell for sealed in drawn} == set(CELLS)
     assert all(len(sealed.ids) == {"none": 0, "double": 2}.get(sealed.kind, 1) for sealed in drawn)
     assert all(len(sealed.planted) == len(sealed.ids) for sealed in drawn)
+
+
+def test_they_are_drawn_from_the_cells_that_are_asked_for_by_name_or_folder():
+    folder = str(find_cell("ur5e_line"))
+    assert {draw(seed, [folder]).sealed.cell for seed in range(8)} == {"ur5e_line"}
+
+
+def test_a_cell_that_knows_no_payload_is_refused(tmp_path: Path):
+    sound = find_cell("lwr4_bench")
+    text = (sound / CELL_FILE).read_text()
+    (tmp_path / CELL_FILE).write_text(text[: text.index("[payloads.")])
+    (tmp_path / "robot.urdf").write_text((sound / "robot.urdf").read_text())
+    with pytest.raises(BadCell, match="no payload"):
+        draw(0, [str(tmp_path)])
+
+
+def test_small_imperfections_of_an_arm_are_the_same_in_all_its_trials():
+    drawn = [draw(seed, ["lwr4_bench"]) for seed in range(3)]
+    assert len({one.background[1:] for one in drawn}) == 1
+    assert len({one.background[0] for one in drawn}) == 3

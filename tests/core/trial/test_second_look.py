@@ -27,7 +27,7 @@ def drawn() -> DrawnTrial:
     sealed = Sealed(
         seed=4, cell=cell.name, payload=CARRIED, kind="single", ids=(LATE.id,), variants=(LATE.variant,), size=1.0, truth="[{}]"
     )
-    return DrawnTrial(cell, plan, sealed, background, (LATE,))
+    return DrawnTrial(cell, plan, sealed, (background,), (LATE,))
 
 
 @pytest.fixture(scope="module")
