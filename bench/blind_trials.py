@@ -2,7 +2,7 @@
 
     python -m bench.blind_trials FOLDER [--count N] [--seed N] [--processes N] [--keep FOLDER]
 
-Makes cells of the Panda and the xArm 7 of the package example-robot-data in FOLDER/cells, as `heft cell new` does, with the payloads of
+Makes cells of the Panda and the UR10 of the package example-robot-data in FOLDER/cells, as `heft cell new` does, with the payloads of
 `ur5e_line`; then runs `heft trial` on all four, with its report in FOLDER. 600 trials take some hours; what was cut short goes on.
 """
 
@@ -25,7 +25,7 @@ SHARE = Path(sysconfig.get_paths()["purelib"]) / "cmeel.prefix" / "share"
 ROBOTS = SHARE / "example-robot-data" / "robots"
 ARMS = {
     "panda": ("panda_description/urdf/panda.urdf", "panda_link0", "panda_hand_tcp"),
-    "xarm7": ("xarm_description/urdf/xarm7.urdf", "link_base", "link_eef"),
+    "ur10": ("ur_description/urdf/ur10_robot.urdf", "base_link", "tool0"),
 }
 """Description, where the arm begins, and what carries the sensor."""
 PAYLOADS_OF = "ur5e_line"

@@ -67,6 +67,8 @@ class Effect(ABC):
     """Whether it spoils the payload's first estimate so much that a fit has to start from the rows which it leaves alone."""
     only_adds: ClassVar[bool] = False
     """Whether what it adds to the wrench does not depend on that wrench, so that noise in it passes as it is."""
+    jumps: ClassVar[bool] = False
+    """Whether the least change of the load can make it jump."""
     needs_motion: ClassVar[bool] = False
     """Whether what it does depends on the way from one pose to the next."""
 

@@ -30,6 +30,7 @@ class HysteresisThatSnaps(SensorHysteresis):
     `rest r` behind it (a clamped joint beside the beams; the slip jump of sticking valves, Choudhury et al. 2005)."""
 
     wider_shape = True
+    jumps = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Six shares that are held back, six logarithms of the changes that are, over full scale, and the share that a snap leaves."""

@@ -61,16 +61,17 @@ def examine(
     contradiction = check_setup(recording).contradiction
     if contradiction is not None:
         return not_enough(contradiction, time.perf_counter() - began), None
-    windows = Windows(basis, find_terms(twin, basis.scene))
+    terms = find_terms(twin, basis.scene)
+    windows = Windows(basis, terms)
     candidates = library() if effects is None else effects
     evidence = gather(windows, candidates, fit_all)
     if evidence.verdict == "ambiguous":
-        evidence = replace(evidence, proposals=proposals(recording, windows, evidence.rivals))
+        evidence = replace(evidence, proposals=proposals(recording, evidence.windows, evidence.rivals))
     touched = find_touched(evidence, candidates, fit_all) if evidence.verdict == "unknown" else None
     told = answer(recording, evidence) if touched is None else answer_touched(recording, evidence, touched)
     lacking = describe_limits({find_effect(name): reason for name, reason in explain_lacks(twin, basis.scene).items()})
     apart = _describe_poses(recording) if basis.scene.apart else []
-    held = {"twin": [term.effect.id for term in windows.held], "limits": [*apart, *told.limits, *lacking]}
+    held = {"twin": [term.effect.id for term in terms], "limits": [*apart, *told.limits, *lacking]}
     origin = None if folder is None else find_origin(recording, folder, twin)
     shown = evidence if touched is None else with_contacts(evidence, touched)
     return told.model_copy(update={**held, "origin": origin, "seconds": time.perf_counter() - began}), shown

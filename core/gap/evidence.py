@@ -19,6 +19,7 @@ from core.gap.materiality import is_material
 from core.gap.most_rows import DRAWN, PARTS, fit_most
 from core.gap.partners import leave_out_each, partners, take_each_alone
 from core.gap.proposal import Proposal
+from core.gap.sound_gears import find_sound_gears, hold_gears
 from core.gap.tie import Tie, distance_sigma
 from core.gap.weighing import find_left_share
 from core.gap.windows import PHI, Windows
@@ -45,7 +46,7 @@ class Evidence:
     """Everything that was fitted to one recording.
 
     Args:
-        windows: of the recording.
+        windows: of the recording, with what the twin always has on.
         nominal: the twin as it is.
         singles, joined: one effect added, or two or three at once.
         attribution: their probabilities.
@@ -111,12 +112,22 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     singles = choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
     if find_left_share(nominal, min(singles, key=lambda fit: fit.chi_square, default=nominal)) > ONE_IS_CLEAR:
         singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, shown, fit_all)])
+    gears = find_sound_gears(windows, nominal, singles, fit_all)
+    if gears is not None:
+        windows = hold_gears(windows, gears)
+        nominal = fit_nominal(windows)
+        singles = fit_all(windows, [_fit_again(fit, nominal) for fit in singles])
     grown = _join(windows, nominal, singles, shown, fit_all)
     alone = [task for fit in grown[:1] for task in take_each_alone(windows, fit)]
     singles = choose_variants(nominal, [*singles, *fit_all(windows, alone)]) if alone else singles
     joined = _find_needed(nominal, singles, grown)
     attribution = attribute(windows, nominal, [*singles, *joined])
     return Evidence(windows, nominal, tuple(singles), tuple(joined), attribution, describe_limits(absences))
+
+
+def _fit_again(fit: EffectFit, nominal: EffectFit) -> Task:
+    """The same shape of an effect, from where it was."""
+    return Task(fit.effects, nominal, [fit.theta], len(fit.theta) - fit.kept_absent if fit.kept_absent else None)
 
 
 def _fit_from_most(windows: Windows, nominal: EffectFit, effects: Sequence[Effect], fit_all: FitAll) -> list[EffectFit]:

@@ -2,7 +2,8 @@
 
 The twin predicts from measured joints, and their noise goes through the payload and every effect with the rest. A filter takes some of it
 away, and so does an effect that stands for the payload's weight and leaves it next to no mass: the residual gets smaller whether the effect
-is there or not. That is no evidence, and is given back.
+is there or not. That is no evidence, and is given back. An effect that jumps makes a jump of each bit of noise, and much noise of little:
+for that it gets nothing.
 """
 
 from __future__ import annotations
@@ -42,7 +43,10 @@ def estimate_spared_noise(problem: Problem, theta: Array, beta: Array) -> Array:
         expected = np.square(taken[draws]).mean(axis=0)
         passed = windows.rows_of(problem.pass_noise(theta, scene, seen.on_grid[draws])).transpose(2, 0, 1)
         late = late[draws]
-    return _by_motion(windows, expected - np.square(passed + late).mean(axis=0))
+    spared = expected - np.square(passed + late).mean(axis=0)
+    if any(effect.jumps for effect in problem.effects):
+        spared[spared.sum(axis=1) < 0.0] = 0.0
+    return _by_motion(windows, spared)
 
 
 def _by_motion(windows: Windows, rows: Array) -> Array:

@@ -79,6 +79,7 @@ def bound_of(ids: tuple[str, ...], recording: Recording, evidence: Evidence, cle
     if len(windows) != len(evidence.windows):  # the guard has stopped one of them: other motions, nothing to compare
         return _derive_bound(ids, evidence, None)
     seen = copy(evidence.windows)  # its kinematics, which a fault may have made wrong
+    seen.held = ()
     change = seen.whiten((_residual(seen, nominal) - _residual(windows, nominal))[..., None])[..., 0]
     seen.target = change + seen.X[:, :, PHI] @ nominal
     fooled = fit_nominal(seen)

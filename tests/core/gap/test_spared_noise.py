@@ -5,9 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from core.effects.hysteresis_that_snaps import HysteresisThatSnaps
 from core.effects.library import library
 from core.gap.basis import basis_of
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
+from core.gap.problem import Problem
+from core.gap.spared_noise import estimate_spared_noise
 from core.gap.windows import Windows
 from tests.synthetic import Imperfections, payload, record, run_of
 
@@ -37,3 +40,14 @@ def test_a_filter_gains_nothing_on_a_run_that_nothing_is_wrong_with() -> None:
     late, filtered = fits(0.0, 0)
     assert filtered.cost < late.cost - 10.0
     assert abs(filtered.held_out.sum() - late.held_out.sum()) < 20.0  # the mean over the draws is right to a few units
+
+
+def test_an_effect_that_snaps_at_every_bit_of_noise_gains_nothing_by_it() -> None:
+    run = run_of("lwr4_bench", 0, repetitions=1)
+    recording = record(run, payload("steel_block"), np.random.default_rng(0), Imperfections(encoder_std=2e-6))
+    windows = Windows(basis_of(recording))
+    nominal, snaps = fit_nominal(windows), HysteresisThatSnaps()
+    problem = Problem(windows, (snaps,))
+    at_every_bit = np.concatenate((np.full(6, 0.9), np.full(6, -9.0), [0.0]))
+    spared = estimate_spared_noise(problem, at_every_bit, nominal.beta)
+    assert (spared.sum(axis=1) > -1.0).all()

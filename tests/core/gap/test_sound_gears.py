@@ -1,0 +1,83 @@
+"""`core.gap.sound_gears`: what every arm does is not named, and does not hide what is wrong besides. The arm on springs is MuJoCo's."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from core.effects.library import library
+from core.events import drive
+from core.gap.basis import basis_of
+from core.gap.closure import gap_of
+from core.gap.diagnosis import examine
+from core.gap.effect_fit import fit_nominal
+from core.gap.evidence import Evidence
+from core.gap.fit_all import one_by_one
+from core.gap.sound_gears import SOFTEST_RAD_PER_NM
+from core.gap.windows import Windows
+from core.plant.faults import Fault
+from core.plant.faults.joint_springs import ElasticJoints
+from core.plant.faults.payload import MassStep
+from core.plant.mechanics import Drives
+from core.procedure.record import record
+from core.recording.recording import Recording
+from core.sessions.simulated import SimulatedSession
+from tests.core.gap.recorded_run import plan_of
+
+SOUND = ElasticJoints((45e3,) * 6)
+SOFT = ElasticJoints((4e3,) * 6)
+LOST = MassStep(change_kg=-0.02, at_m=(0.0, 0.01, 0.03), begin_s=20.0, duration_s=0.0)
+NAMES = ("joint_elasticity", "payload_mass_change", "base_tilt", "time_delay", "joint_offset")
+FEW = [effect for effect in library() if effect.id in NAMES]
+
+
+@cache
+def moved(*faults: Fault) -> Recording:
+    cell, plan = plan_of("ur5e_line", "cylinder")
+    known = cell.payloads["cylinder"]
+    smooth = Drives(damping_s=0.0, friction=0.0)
+    session = SimulatedSession(cell, known.parameters, seed=1, faults=faults, drives=smooth)
+    return drive(record(cell, session, known.box, plan, payload="cylinder", reference=known))
+
+
+def examined(*faults: Fault) -> tuple[str, Evidence]:
+    told, evidence = examine(moved(*faults), FEW, fit_all=one_by_one)
+    assert evidence is not None
+    assert told.twin == []
+    return told.verdict, evidence
+
+
+def held(evidence: Evidence) -> list[str]:
+    return [term.effect.id for term in evidence.windows.held]
+
+
+def test_an_arm_that_swings_as_every_arm_does_has_no_gap() -> None:
+    windows = Windows(basis_of(moved(SOUND)))
+    assert gap_of(windows, fit_nominal(windows)) > 1.03
+    verdict, evidence = examined(SOUND)
+    assert verdict == "no_gap"
+    assert held(evidence) == ["joint_elasticity"]
+    assert gap_of(evidence.windows, evidence.nominal) < 1.01
+    assert (evidence.windows.held[0].theta[:6] <= SOFTEST_RAD_PER_NM).all()
+
+
+def test_what_is_wrong_besides_is_named_alone() -> None:
+    verdict, evidence = examined(SOUND, LOST)
+    assert (verdict, evidence.best.name) == ("explained", "payload_mass_change")
+    mass = evidence.best.theta[1]
+    assert mass == pytest.approx(LOST.change_kg, abs=4.0 * evidence.best.theta_std[1] + 2e-4)
+
+
+def test_joints_that_are_softer_are_named() -> None:
+    verdict, evidence = examined(SOFT)
+    assert (verdict, evidence.best.name) == ("explained", "joint_elasticity")
+    assert held(evidence) == []
+    assert np.median(evidence.best.theta[:6]) > SOFTEST_RAD_PER_NM
+
+
+def test_a_stiff_arm_has_none() -> None:
+    verdict, evidence = examined(LOST)
+    assert (verdict, evidence.best.name) == ("explained", "payload_mass_change")
+    assert held(evidence) == []
