@@ -98,11 +98,14 @@ def _observe_windows(view: View, noise_std: Array) -> tuple[_Peak, Array] | None
 
 
 def _observe_holds(recording: Recording, view: View, noise_std: Array) -> tuple[_Peak, Array] | None:
-    """The same as a line in the holds, where arm and payload rest; one that does not matter is left to be what any line is."""
+    """The same as a line in the holds, where arm and payload rest, faster than the windows show; one that does not matter is left to be what
+    any line is."""
     noise, samples_per_second = hold_noise(recording, view.holds), rate(recording)
     line = line_in(noise, samples_per_second)
     if line is None or line.sigma < SIGNIFICANT or (line.amplitude[:3] < MATERIAL * noise_std[:3]).all():
         return None
+    if len(view.left_t) > SHORTEST and line.frequency < HIGHEST / float(np.median(np.diff(view.left_t))):
+        return None  # what swings on known springs after a motion rings in the hold, and is in what the twin expects
     waves = fit_waves(noise, line.frequency, samples_per_second)
     if not _acts_at(_centre(view), waves, AT_MASS_OF_LINE):
         return None
