@@ -98,8 +98,8 @@ def _observe_windows(view: View, noise_std: Array) -> tuple[_Peak, Array] | None
 
 
 def _observe_holds(recording: Recording, view: View, noise_std: Array) -> tuple[_Peak, Array] | None:
-    """The same as a line in the holds, where arm and payload rest, faster than the windows show; one that does not matter is left to be what
-    any line is."""
+    """The same as a line in the holds, where arm and payload rest, faster than windows show; one that does not matter is left to be
+    what any line is."""
     noise, samples_per_second = hold_noise(recording, view.holds), rate(recording)
     line = line_in(noise, samples_per_second)
     if line is None or line.sigma < SIGNIFICANT or (line.amplitude[:3] < MATERIAL * noise_std[:3]).all():

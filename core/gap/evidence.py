@@ -102,16 +102,7 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     scene = windows.basis.scene.with_phi(nominal.phi)
     absences = {effect: _explain_absence(effect, scene, at_rest=windows.basis.rows.at_rest) for effect in effects}
     shown = [effect for effect, reason in absences.items() if reason is None]
-    wider = [effect for effect in wider_shapes() if effect.id in {each.id for each in shown}]
-    residual = windows.on_grid(nominal.residual)
-    known = {term.effect.id: [term.theta] for term in windows.held}
-    tasks = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in shown]
-    richer = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider if effect.id not in known]
-    tasks += [task for task in richer if task.thetas]
-    smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
-    singles = choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
-    if find_left_share(nominal, min(singles, key=lambda fit: fit.chi_square, default=nominal)) > ONE_IS_CLEAR:
-        singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, shown, fit_all)])
+    singles = _fit_singles(windows, nominal, shown, fit_all)
     gears = find_sound_gears(windows, nominal, singles, fit_all)
     if gears is not None:
         windows = hold_gears(windows, gears)
@@ -123,6 +114,21 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     joined = _find_needed(nominal, singles, grown)
     attribution = attribute(windows, nominal, [*singles, *joined])
     return Evidence(windows, nominal, tuple(singles), tuple(joined), attribution, describe_limits(absences))
+
+
+def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:
+    """Each effect by itself, in the shape that is most probable."""
+    scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
+    wider = [effect for effect in wider_shapes() if effect.id in {each.id for each in effects}]
+    known = {term.effect.id: [term.theta] for term in windows.held}
+    tasks = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in effects]
+    richer = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider if effect.id not in known]
+    tasks += [task for task in richer if task.thetas]
+    smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
+    singles = choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
+    if find_left_share(nominal, min(singles, key=lambda fit: fit.chi_square, default=nominal)) > ONE_IS_CLEAR:
+        singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, effects, fit_all)])
+    return singles
 
 
 def _fit_again(fit: EffectFit, nominal: EffectFit) -> Task:
