@@ -19,6 +19,7 @@ from core.gap.evidence import Evidence, describe_limits, gather
 from core.gap.fit_all import FitAll, on_all_cores
 from core.gap.joint_answer import answer_joints
 from core.gap.proposal import proposals
+from core.gap.sound_gears import describe_gears
 from core.gap.windows import Windows
 from core.recording.folder import recording_sha256
 from core.recording.recording import Recording
@@ -71,7 +72,8 @@ def examine(
     told = answer(recording, evidence) if touched is None else answer_touched(recording, evidence, touched)
     lacking = describe_limits({find_effect(name): reason for name, reason in explain_lacks(twin, basis.scene).items()})
     apart = _describe_poses(recording) if basis.scene.apart else []
-    held = {"twin": [term.effect.id for term in terms], "limits": [*apart, *told.limits, *lacking]}
+    swings = [describe_gears(term) for term in evidence.windows.held[len(terms) :]]
+    held = {"twin": [term.effect.id for term in terms], "limits": [*swings, *apart, *told.limits, *lacking]}
     origin = None if folder is None else find_origin(recording, folder, twin)
     shown = evidence if touched is None else with_contacts(evidence, touched)
     return told.model_copy(update={**held, "origin": origin, "seconds": time.perf_counter() - began}), shown

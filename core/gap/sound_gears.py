@@ -18,6 +18,7 @@ from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import FitAll, Task
 from core.gap.weighing import find_left_share
 from core.gap.windows import Windows
+from core.words.message import Message
 
 SOFTEST_RAD_PER_NM, USUAL_RAD_PER_NM = 5e-5, 2e-5
 """1 / (20 kN m/rad) and 1 / (50 kN m/rad), of a joint: a softer one is an effect and has to be named."""
@@ -71,6 +72,12 @@ def hold_gears(windows: Windows, gears: Term) -> Windows:
     held = copy(windows)
     held.held = (*windows.held, gears)
     return held
+
+
+def describe_gears(gears: Term) -> Message:
+    """What has to be known of an answer that has them in its twin: the softest joint, N m/rad."""
+    softest = 1.0 / float(gears.theta[:-2].max())
+    return Message.of("gap-sound-gears", softest_nm_per_rad=round(softest, -3), least_nm_per_rad=1.0 / SOFTEST_RAD_PER_NM)
 
 
 def _add_gears(base: EffectFit, gears: SoundGears, starts: list[Array]) -> Task:

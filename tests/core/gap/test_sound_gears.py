@@ -46,6 +46,7 @@ def examined(*faults: Fault) -> tuple[str, Evidence]:
     told, evidence = examine(moved(*faults), FEW, fit_all=one_by_one)
     assert evidence is not None
     assert told.twin == []
+    assert ("gap-sound-gears" in {limit.code for limit in told.limits}) == bool(evidence.windows.held)
     return told.verdict, evidence
 
 
