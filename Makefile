@@ -15,12 +15,12 @@ run: $(VENV)/.run $(if $(filter true,$(NODE_FITS)),$(CONSOLE),without-console)
 	$(BIN)/heft serve
 
 test: check $(CONSOLE)
-	$(BIN)/python -m pytest -n 2 --dist worksteal --ignore=tests/web
-	$(BIN)/python -m pytest tests/web  # alone: browsers that draw without a graphics card keep both cores busy
+	$(BIN)/python -m pytest -n 3 --dist worksteal --ignore=tests/web  # one more than cores: tests of the service wait much
+	$(BIN)/python -m pytest -n 2 --dist loadfile tests/web  # by themselves: browsers that draw without a graphics card keep the cores busy
 
 test-thorough: $(VENV)/.dev $(CONSOLE)
 	$(BIN)/python -m pytest -n 2 --dist worksteal -m thorough --ignore=tests/web
-	$(BIN)/python -m pytest -m thorough tests/web
+	$(BIN)/python -m pytest -n 2 --dist loadfile -m thorough tests/web
 
 check: $(VENV)/.dev
 	$(BIN)/ruff check .
