@@ -12,8 +12,8 @@ from core.errors import BadState
 from core.robot.trajectory import JointTrajectory
 from core.sessions.session import RobotState
 
-START_TOLERANCE = 4e-3
-"""How far from the robot's commanded position a trajectory may start, rad: some 3 mm at the sensor, where 10 mm and more are kept clear."""
+START_TOLERANCE = 1e-3
+"""How far from the robot's commanded position a trajectory may start, rad."""
 
 FADE_S = 1.0
 """Time in which that distance is brought to nothing, so that the command never jumps."""
@@ -41,8 +41,8 @@ class Mover(ABC):
 class Playback(Mover):
     """Follows a trajectory sample by sample.
 
-    An arm with more joints than its task needs comes back from a rotation some 1e-5 rad away from where it was planned to be, and from
-    dozens of them 2e-3 rad. What is left is faded out smoothly along the way.
+    An arm with more joints than its task needs comes back from a rotation some 1e-5 rad away from where it was planned to be. What is
+    left is faded out smoothly along the way.
 
     Args:
         trajectory: at the session's period, starting where the robot stands.

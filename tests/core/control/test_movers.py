@@ -110,17 +110,16 @@ def test_playback_gives_the_trajectory_sample_by_sample():
     np.testing.assert_array_equal(drain(Playback(JointTrajectory(PERIOD, q)), q[0]), q)
 
 
-@pytest.mark.parametrize("times", [1, 50], ids=["one rotation", "dozens of them"])
-def test_what_is_left_of_a_rotation_is_faded_out_and_never_jumps(times):
+def test_what_is_left_of_a_rotation_is_faded_out_and_never_jumps():
     home = bench("lwr4_bench").home
     s = np.linspace(0.0, 1.0, 2001)[:, None]
     trajectory = JointTrajectory(PERIOD, home + 0.3 * s**3 * (10 - 15 * s + 6 * s**2))
-    away = times * np.array([6e-5, -3e-5, 2e-5, 0, 0, 1e-5, -6e-5])
+    away = np.array([6e-5, -3e-5, 2e-5, 0, 0, 1e-5, -6e-5])
     q = drain(Playback(trajectory), home + away)
     np.testing.assert_allclose(q[0], home + away)
     np.testing.assert_array_equal(q[-1], trajectory.q[-1])
     planned = np.abs(np.diff(trajectory.q, 2, axis=0)).max() / PERIOD**2
-    assert np.abs(np.diff(q, 2, axis=0)).max() / PERIOD**2 < planned + times * 1e-3
+    assert np.abs(np.diff(q, 2, axis=0)).max() / PERIOD**2 < planned + 1e-3
 
 
 def test_playback_refuses_to_start_elsewhere():
