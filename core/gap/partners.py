@@ -49,18 +49,26 @@ def partners(windows: Windows, first: EffectFit, effects: Sequence[Effect], coun
     best: dict[str, Partner] = {}
     for partner in sorted(found, key=lambda partner: -partner.gain):
         best.setdefault(partner.effect.id, partner)
-    return [_add(windows, first, partner) for partner in list(best.values())[:count]]
+    return [add_effect(windows, first, partner.effect, [partner.theta]) for partner in list(best.values())[:count]]
+
+
+def add_effect(windows: Windows, fit: EffectFit, effect: Effect, thetas: list[Array]) -> Task:
+    """The effects of a fit, none or more, with one more that starts from each of some values."""
+    terms = terms_of(windows, fit)
+    order = sorted([*terms, (effect, thetas[0])], key=lambda term: (STAGES.index(term[0].stage), term[0].id))
+    starts = [np.concatenate([theta if each is effect else known for each, known in order]) for theta in thetas]
+    return Task(tuple(each for each, _ in order), fit, starts)
 
 
 def leave_out_each(windows: Windows, fit: EffectFit) -> list[Task]:
     """The effects of a fit without one of them, for each."""
-    terms = _terms_of(windows, fit)
+    terms = terms_of(windows, fit)
     return [_task_of(fit, [*terms[:k], *terms[k + 1 :]]) for k in range(len(terms))]
 
 
 def take_each_alone(windows: Windows, fit: EffectFit) -> list[Task]:
     """Each effect of a fit by itself, from the values that it has among the others: where it began alone it may have ended elsewhere."""
-    return [_task_of(fit, [term]) for term in _terms_of(windows, fit)]
+    return [_task_of(fit, [term]) for term in terms_of(windows, fit)]
 
 
 def _join(known: Problem, first: EffectFit, columns: Array, normal: Array, joining: Problem, theta: Array) -> Partner:
@@ -83,13 +91,10 @@ def _join(known: Problem, first: EffectFit, columns: Array, normal: Array, joini
     return Partner(gain, joining.effects[0], theta + step[-len(theta) :])
 
 
-def _add(windows: Windows, first: EffectFit, partner: Partner) -> Task:
-    terms = [*_terms_of(windows, first), (partner.effect, partner.theta)]
-    return _task_of(first, sorted(terms, key=lambda term: (STAGES.index(term[0].stage), term[0].id)))
-
-
-def _terms_of(windows: Windows, fit: EffectFit) -> list[tuple[Effect, Array]]:
-    """Each effect with its parameters."""
+def terms_of(windows: Windows, fit: EffectFit) -> list[tuple[Effect, Array]]:
+    """Each effect with its parameters; none of a fit without effects."""
+    if not fit.effects:
+        return []
     ends = np.cumsum([len(parameters_of(windows, effect)) for effect in fit.effects])
     return list(zip(fit.effects, np.split(fit.theta, ends[:-1]), strict=True))
 

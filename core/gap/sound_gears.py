@@ -10,12 +10,13 @@ import numpy as np
 
 from core.array import Array
 from core.effects.composition import Term
-from core.effects.effect import STAGES, Parameter
+from core.effects.effect import Parameter
 from core.effects.joint_elasticity import JointElasticity
 from core.effects.joint_error import joint_count
 from core.effects.scene import Scene
 from core.gap.effect_fit import EffectFit
-from core.gap.fit_all import FitAll, Task
+from core.gap.fit_all import FitAll
+from core.gap.partners import add_effect, terms_of
 from core.gap.weighing import find_left_share
 from core.gap.windows import Windows
 from core.words.message import Message
@@ -59,12 +60,12 @@ def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectF
     others = [fit for fit in singles if fit.name != gears.id]
     bases = [nominal, *sorted(others, key=lambda fit: fit.chi_square)[:1]]
     starts = gears.starts(scene, windows.on_grid(nominal.residual))
-    found = fit_all(windows, [_add_gears(base, gears, starts) for base in bases])
+    found = fit_all(windows, [add_effect(windows, base, gears, starts) for base in bases])
     base, fit = min(zip(bases, found, strict=True), key=lambda pair: pair[1].chi_square)
     there = find_left_share(nominal, fit)
     if there > EXPLAIN * find_left_share(nominal, base) or there > left + SHOWN:
         return None
-    return Term(JointElasticity(), _read_gears(windows, fit))
+    return Term(JointElasticity(), next(theta for effect, theta in terms_of(windows, fit) if effect is gears))
 
 
 def hold_gears(windows: Windows, gears: Term) -> Windows:
@@ -78,22 +79,3 @@ def describe_gears(gears: Term) -> Message:
     """What has to be known of an answer that has them in its twin: the softest joint, N m/rad."""
     softest = 1.0 / float(gears.theta[:-2].max())
     return Message.of("gap-sound-gears", softest_nm_per_rad=round(softest, -3), least_nm_per_rad=1.0 / SOFTEST_RAD_PER_NM)
-
-
-def _add_gears(base: EffectFit, gears: SoundGears, starts: list[Array]) -> Task:
-    if not base.effects:
-        return Task((gears,), base, starts)
-    (effect,) = base.effects
-    first = STAGES.index(gears.stage) < STAGES.index(effect.stage)
-    thetas = [np.concatenate((start, base.theta) if first else (base.theta, start)) for start in starts]
-    return Task((gears, effect) if first else (effect, gears), base, thetas)
-
-
-def _read_gears(windows: Windows, fit: EffectFit) -> Array:
-    at = 0
-    for effect in fit.effects:
-        count = len(effect.parameters(windows.basis.scene))
-        if isinstance(effect, SoundGears):
-            return fit.theta[at : at + count]
-        at += count
-    raise ValueError("a fit without gears")

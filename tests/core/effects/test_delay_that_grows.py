@@ -7,6 +7,7 @@ import pytest
 from scipy.interpolate import CubicSpline
 from scipy.optimize import least_squares
 
+from core.array import Array
 from core.effects.delay_that_grows import DelayThatGrows
 from core.effects.time_delay import TimeDelay
 from tests.core.effects.synthetic_scene import NOISE, scene
@@ -46,7 +47,10 @@ def test_the_search_before_the_fit_finds_from_slip_to_slip_and_how_fast_it_grows
 def test_a_fit_finds_how_much_later_a_clock_is_that_runs_slow() -> None:
     change = come_late(0.03 * (RUN.t - RUN.t[0]) / LONG_S) - RUN.nominal
     scale = np.array([p.scale for p in EFFECT.parameters(RUN)])
-    left = lambda x: ((EFFECT.wrench(RUN, RUN.nominal, x) - RUN.nominal - change) / NOISE).ravel()  # noqa: E731
+
+    def left(x: Array) -> Array:
+        return np.asarray(((EFFECT.wrench(RUN, RUN.nominal, x) - RUN.nominal - change) / NOISE).ravel())
+
     best = min((least_squares(left, start, x_scale=scale) for start in EFFECT.starts(RUN, change / NOISE)), key=lambda fit: fit.cost)
     assert 2.0 * best.cost < 0.01 * np.square(change / NOISE).sum()
     assert best.x[1] == pytest.approx(0.03 / LONG_S, rel=0.05)

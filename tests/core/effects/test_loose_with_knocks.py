@@ -7,6 +7,7 @@ import pytest
 from scipy.interpolate import CubicSpline
 from scipy.optimize import least_squares
 
+from core.array import Array
 from core.effects.loose_with_knocks import LooseWithKnocks
 from tests.core.effects.synthetic_scene import NOISE, scene
 
@@ -56,7 +57,10 @@ def test_a_fit_finds_how_far_it_slides_and_how_much_it_moves() -> None:
     planted, effect = knock(8.0, 0.0), LooseWithKnocks()
     scale = np.array([p.scale for p in effect.parameters(RUN)])
     lower, upper = (np.array([getattr(p, name) for p in effect.parameters(RUN)]) for name in ("lower", "upper"))
-    left = lambda x: average(effect.wrench(RUN, RUN.nominal, x) - RUN.nominal - planted).ravel()  # noqa: E731
+
+    def left(x: Array) -> Array:
+        return np.asarray(average(effect.wrench(RUN, RUN.nominal, x) - RUN.nominal - planted).ravel())
+
     begun = min((np.clip(start, lower, upper) for start in effect.starts(RUN, planted / NOISE)), key=lambda x: float(left(x) @ left(x)))
     fit = least_squares(left, begun, bounds=(lower - 1e-9, upper), x_scale=scale)
     assert 2.0 * fit.cost < 0.1 * np.square(average(planted)).sum()
