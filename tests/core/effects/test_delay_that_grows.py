@@ -12,7 +12,6 @@ from core.effects.delay_that_grows import DelayThatGrows
 from core.effects.time_delay import TimeDelay
 from tests.core.effects.synthetic_scene import NOISE, scene
 
-Array = np.ndarray
 RUN = scene()
 LONG_S = float(RUN.t[-1] - RUN.t[0])
 EFFECT = DelayThatGrows()

@@ -11,7 +11,6 @@ from core.array import Array
 from core.effects.loose_with_knocks import LooseWithKnocks
 from tests.core.effects.synthetic_scene import NOISE, scene
 
-Array = np.ndarray
 RUN = scene()
 FINE = 200
 AXIS, MASS, STOP, PLACE = np.array([0.8, -0.6, 0.0]), 0.4, 0.01, np.array([0.02, -0.03, 0.01])
