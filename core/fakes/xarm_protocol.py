@@ -48,6 +48,8 @@ class XarmPeer:
         self._arm, self._rest = arm, b""
         self.served = 0
         """Servo commands so far."""
+        self.asked = 0
+        """Questions for errors so far: what a client sends that has nothing to command."""
         self._registers: dict[int, Callable[[bytes], bytes]] = {
             1: lambda _: self._text(f"{arm.n},{arm.type},{arm.serial[:6]},{arm.box_serial[:6]},{arm.version}"),
             2: lambda _: self._text(f"{arm.serial}\0{arm.box_serial}"),
@@ -55,7 +57,7 @@ class XarmPeer:
             12: lambda body: self._do(arm.set_state, body[0]),
             13: lambda _: bytes([arm.state]),
             14: lambda _: struct.pack(">H", 0),
-            15: lambda _: bytes([arm.error, arm.warning]),
+            15: lambda _: self._tell_errors(),
             16: lambda _: self._clear(error=True),
             17: lambda _: self._clear(error=False),
             19: lambda body: self._do(arm.set_mode, body[0]),
@@ -125,6 +127,10 @@ class XarmPeer:
         else:
             self._arm.warning = 0
         return b""
+
+    def _tell_errors(self) -> bytes:
+        self.asked += 1
+        return bytes([self._arm.error, self._arm.warning])
 
     def _servo(self, body: bytes) -> bytes:
         self._arm.servo(read_floats(body, 10)[: self._arm.n])

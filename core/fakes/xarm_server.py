@@ -69,11 +69,12 @@ class XarmServer(PacedServer):
         if not data:
             return
         peer = self._peers[line]
-        served = peer.served
+        served, asked = peer.served, peer.asked
         try:
             answers = peer.take(data)
         except ValueError:
             self._drop(line)
             return
         self._send(line, answers)
-        self._take_answer(new=peer.served > served)
+        if peer.served > served or peer.asked > asked:  # what else it asks is no answer to a report
+            self._take_answer(new=peer.served > served)

@@ -18,8 +18,8 @@ from core.fakes.xarm_arm import XarmArm
 from core.fakes.xarm_server import XarmServer
 from tests.core.export.cloud import cloud
 from tests.core.export.known_result import answer
+from tests.loopback import HOST
 
-HOST = "127.27.0.6"
 XARM_PORT = 5020
 SIMULATED = load_cell(find_cell("ur5e_line"))
 

@@ -16,10 +16,10 @@ import pytest
 from core.cell.folder import load_cell
 from core.fakes.franka_arm import FrankaArm
 from core.fakes.franka_server import FrankaServer
+from tests.loopback import HOST
 
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
 HOME = np.array(CELL.robot.home_rad)
-HOST = "127.28.1.9"
 PORTS = count(33000)
 PLACE = {
     "O_T_EE": 0, "F_T_EE": 32, "m_ee": 96, "m_load": 109, "I_load": 110, "F_x_Cload": 119, "tau_J": 126, "q": 147, "q_d": 154, "dq": 161,

@@ -17,9 +17,9 @@ import pytest
 from core.cell.folder import load_cell
 from core.fakes.fri_arm import FriArm
 from core.fakes.fri_server import FriServer
+from tests.loopback import HOST
 
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
-HOST = "127.28.0.9"
 PORTS = count(32000)
 Message = dict[int, list]
 

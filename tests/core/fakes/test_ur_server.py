@@ -13,9 +13,9 @@ import pytest
 from core.cell.folder import load_cell
 from core.fakes.ur_arm import UrArm
 from core.fakes.ur_server import UrServer
+from tests.loopback import HOST
 
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "ur5e_line")
-HOST = "127.28.0.3"
 
 
 @pytest.fixture

@@ -14,10 +14,11 @@ from scipy.spatial.transform import Rotation
 from core.cell.folder import load_cell
 from core.fakes.xarm_arm import COLLISION, EMERGENCY, SERVO, XarmArm
 from core.fakes.xarm_server import XarmServer
+from tests.loopback import HOST
 
 CELLS = Path(__file__).parents[3] / "cells"
 CELL = load_cell(CELLS / "ur5e_line")
-HOST, PORT = "127.28.0.7", 5020
+PORT = 5020
 
 
 @pytest.fixture

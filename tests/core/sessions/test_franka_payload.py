@@ -11,8 +11,8 @@ from core.fakes.franka_server import FrankaServer
 from core.sessions.franka_payload import read_payload, write_payload
 from core.sessions.set_payload import SetPayload
 from tests.core.sessions.test_franka import CELL, FrankaBench
+from tests.loopback import HOST
 
-HOST = "127.27.1.8"
 NOTHING = SetPayload(0.0, (0.0,) * 3, (0.0,) * 6)
 WANTED = SetPayload(2.783, (0.001, -0.0168, 0.0465), (0.0069, 0.0066, 0.0033, 1e-4, -2e-4, 0.0017))
 

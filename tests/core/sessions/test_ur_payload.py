@@ -12,8 +12,8 @@ from core.sessions.set_payload import SetPayload
 from core.sessions.ur_payload import read_payload, write_payload
 from tests.core.sessions.conformance import Conformance, move
 from tests.core.sessions.test_ur import CELL, UrBench, cell_at
+from tests.loopback import HOST
 
-HOST = "127.27.0.5"
 NOTHING = SetPayload(0.0, (0.0,) * 3, (0.0,) * 6)
 WANTED = SetPayload(2.783, (0.001, -0.0168, 0.0465), (0.0101, 0.0102, 0.0031, -1.2e-5, 0.0004, -0.0007))
 

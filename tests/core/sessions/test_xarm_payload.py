@@ -11,8 +11,8 @@ from core.fakes.xarm_server import XarmServer
 from core.sessions.set_payload import SetPayload
 from core.sessions.xarm_payload import read_payload, write_payload
 from tests.core.sessions.test_xarm import CELL, PORT, cell_at
+from tests.loopback import HOST
 
-HOST = "127.27.0.8"
 NOTHING = SetPayload(0.0, (0.0,) * 3)
 WANTED = SetPayload(2.783, (0.001, -0.0168, 0.0465))
 

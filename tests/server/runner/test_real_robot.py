@@ -12,11 +12,11 @@ import pytest
 from core.cell.folder import load_cell
 from core.fakes.ur_arm import EMERGENCY, UrArm
 from core.fakes.ur_server import UrServer
+from tests.loopback import HOST
 from tests.server.real_service import Console, real_service, wait_for
 
 FOLDER = Path(__file__).parents[3] / "cells" / "ur5e_line"
 CELL = load_cell(FOLDER)
-HOST = "127.81.0.1"
 RUN_S = 900.0
 PATIENCE_S = 5.0
 """How long each period of the stand-in waits for its command: a computer that is busy makes the run longer and nothing else."""
