@@ -65,7 +65,7 @@ def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectF
     there = find_left_share(nominal, fit)
     if there > EXPLAIN * find_left_share(nominal, base) or there > left + SHOWN:
         return None
-    return Term(JointElasticity(), next(theta for effect, theta in terms_of(windows, fit) if effect is gears))
+    return Term(JointElasticity(), next(theta for effect, theta in terms_of(windows, fit) if isinstance(effect, SoundGears)))
 
 
 def hold_gears(windows: Windows, gears: Term) -> Windows:
