@@ -41,8 +41,8 @@ class Mover(ABC):
 class Playback(Mover):
     """Follows a trajectory sample by sample.
 
-    An arm with more joints than its task needs comes back from a rotation some 1e-5 rad away from where it was planned to be. What is
-    left is faded out smoothly along the way.
+    An arm with more joints than its task needs comes back from a rotation that was stopped on its way with another posture than planned.
+    What is left is faded out smoothly along the way.
 
     Args:
         trajectory: at the session's period, starting where the robot stands.

@@ -149,8 +149,7 @@ def _brake(dq: Array, lower: Array, upper: Array, out: Array) -> None:
 
 @njit(cache=True)
 def _sns_step(
-    placements: Array,
-    axes: Array,
+    J: Array,
     q: Array,
     dq: Array,
     x: Array,
@@ -164,7 +163,6 @@ def _sns_step(
     n = len(q)
     lo, hi = np.empty(n), np.empty(n)
     _velocity_bounds(q, dq, lower, upper, velocity, acceleration, T, lo, hi)
-    J = _jacobian(placements, axes, q)
     s = _sns(J[6 - len(x) :], x, lo, hi, out)
     if s == 0.0:
         _brake(dq, lo, hi, out)
@@ -200,5 +198,5 @@ def sns_step(chain: Chain, q: Array, dq: Array, x: Array, limits: JointLimits, p
         As `sns`; where no share of the task is possible, velocities that brake.
     """
     out = np.empty(len(q))
-    s = _sns_step(chain.placements, chain.axes, q, dq, x, *limits, period, out)
+    s = _sns_step(_jacobian(chain.placements, chain.axes, q), q, dq, x, *limits, period, out)
     return JointVelocities(out, s)

@@ -72,6 +72,14 @@ def test_it_ends_at_rest(name):
     assert np.abs(q[-1] - q[-2]).max() / PERIOD < 1e-3
 
 
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_an_arm_with_a_joint_to_spare_comes_back_to_where_it_began_however_often_it_turns(axis):
+    q = drain(rotation_of("lwr4_bench", axis, profile_of("lwr4_bench", repetitions=10)), bench("lwr4_bench").home)
+    assert np.abs(q - q[0]).max() > 0.2
+    assert np.abs(q[-1] - q[0]).max() < 1e-6
+    assert np.abs(turned("lwr4_bench", q)[1]).max() < 1e-7
+
+
 @pytest.mark.parametrize("name", CELLS)
 @pytest.mark.parametrize("axis", [0, 1])
 def test_where_a_link_would_be_too_fast_time_passes_more_slowly(name, axis):
