@@ -15,7 +15,7 @@ from core.effects.effect import Effect, Parameter
 from core.gap.clustered import enlarge_covariance
 from core.gap.problem import Problem
 from core.gap.quadratic import find_bounded_minimum, inverse, solve_scaled
-from core.gap.spared_noise import estimate_spared_noise
+from core.gap.spared_noise import take_off_noise
 from core.gap.windows import PHI, Windows
 
 ITERATIONS = 24
@@ -154,7 +154,7 @@ def _finish(problem: Problem, beta: Array, theta: Array) -> EffectFit:
     here = np.concatenate((beta, theta))
     free = (here > problem.bounds[0]) & (here < problem.bounds[1])
     held_out = predict_held_out(problem.windows, columns[:, free], r, problem.precision[free], away[free])
-    held_out += estimate_spared_noise(problem, theta, beta)
+    held_out = take_off_noise(held_out, problem, theta, beta)
     covariance = inverse(normal)
     shape = problem.windows.target.shape
     return EffectFit(

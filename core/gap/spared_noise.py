@@ -2,8 +2,8 @@
 
 The twin predicts from measured joints, and their noise goes through the payload and every effect with the rest. A filter takes some of it
 away, and so does an effect that stands for the payload's weight and leaves it next to no mass: the residual gets smaller whether the effect
-is there or not. That is no evidence, and is given back. An effect that jumps makes a jump of each bit of noise, and much noise of little:
-for that it gets nothing.
+is there or not. That is no evidence, and is given back. An effect that jumps makes much noise of little, since it jumps early or late:
+what it predicts is that much less certain, which excuses a residual and has its price (the normal density's two terms).
 """
 
 from __future__ import annotations
@@ -19,6 +19,20 @@ LEAST = 1.0
 """Of chi-square in all: less noise of the kinematics is not looked at."""
 FEWER = 4
 """Draws, where nothing is filtered and hardly any noise is spared."""
+
+
+def take_off_noise(held_out: Array, problem: Problem, theta: Array, beta: Array) -> Array:
+    """(6, K), chi-square of motions left out as it is without what the effects have made of the twin's noise.
+
+    Args:
+        held_out: (6, K), as it was found.
+        theta, beta: see `estimate_spared_noise`.
+    """
+    spared = estimate_spared_noise(problem, theta, beta)
+    if not any(effect.jumps for effect in problem.effects):
+        return np.asarray(held_out + spared)
+    added = np.maximum(0.0, -spared)
+    return np.asarray((held_out + np.maximum(0.0, spared)) / (1.0 + added) + np.log1p(added))
 
 
 def estimate_spared_noise(problem: Problem, theta: Array, beta: Array) -> Array:
@@ -43,10 +57,7 @@ def estimate_spared_noise(problem: Problem, theta: Array, beta: Array) -> Array:
         expected = np.square(taken[draws]).mean(axis=0)
         passed = windows.rows_of(problem.pass_noise(theta, scene, seen.on_grid[draws])).transpose(2, 0, 1)
         late = late[draws]
-    spared = expected - np.square(passed + late).mean(axis=0)
-    if any(effect.jumps for effect in problem.effects):
-        spared[spared.sum(axis=1) < 0.0] = 0.0
-    return _by_motion(windows, spared)
+    return _by_motion(windows, expected - np.square(passed + late).mean(axis=0))
 
 
 def _by_motion(windows: Windows, rows: Array) -> Array:

@@ -10,7 +10,7 @@ from core.effects.library import library
 from core.gap.basis import basis_of
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.problem import Problem
-from core.gap.spared_noise import estimate_spared_noise
+from core.gap.spared_noise import take_off_noise
 from core.gap.windows import Windows
 from tests.synthetic import Imperfections, payload, record, run_of
 
@@ -42,12 +42,15 @@ def test_a_filter_gains_nothing_on_a_run_that_nothing_is_wrong_with() -> None:
     assert abs(filtered.held_out.sum() - late.held_out.sum()) < 20.0  # the mean over the draws is right to a few units
 
 
-def test_an_effect_that_snaps_at_noise_gains_nothing_by_it() -> None:
+def test_an_effect_that_snaps_at_noise_pays_for_what_that_excuses() -> None:
     run = run_of("lwr4_bench", 0, repetitions=1)
     recording = record(run, payload("steel_block"), np.random.default_rng(0), Imperfections(encoder_std=2e-6))
     windows = Windows(basis_of(recording))
     nominal, snaps = fit_nominal(windows), HysteresisThatSnaps()
     problem = Problem(windows, (snaps,))
     holds_most_back = np.concatenate((np.full(6, 0.9), np.full(6, np.log(0.01)), [0.0]))
-    spared = estimate_spared_noise(problem, holds_most_back, nominal.beta)
-    assert (spared.sum(axis=1) > -1.0).all()
+    for left in (1.0, 30.0):
+        held_out = np.full(windows.target.shape, left)
+        told = take_off_noise(held_out, problem, holds_most_back, nominal.beta)
+        assert (told > 1.0 + np.log(left) - 0.1).all()  # the least that the best variance for such a residual costs
+        assert told.sum() < 0.9 * held_out.sum() or left == 1.0
