@@ -12,7 +12,7 @@ from core.effects.parameter_title import find_title
 from core.effects.sides import Side
 from core.gap.answer import Also, Value
 from core.gap.effect_fit import EffectFit
-from core.gap.materiality import is_doubtful, is_material
+from core.gap.materiality import is_doubtful
 from core.gap.windows import Windows
 from core.recording.recording import Recording
 from core.words.message import Message
@@ -24,17 +24,17 @@ LEADING: tuple[Side, ...] = ("reference", "reading")
 """What the summary goes on with where it is material, in this order."""
 
 
-def observe_symptoms(recording: Recording, windows: Windows, nominal: EffectFit, fit: EffectFit) -> list[Also]:
+def observe_symptoms(recording: Recording, windows: Windows, nominal: EffectFit, fit: EffectFit, named: EffectFit) -> list[Also]:
     """Symptoms that stand clearly above chance: the material ones first, the clearest first.
 
     What comes along with another symptom, or looks like one of the effects that explain the wrench, is not named beside it. An effect
-    that does not matter explains nothing: a model of what swings takes up a part of any vibration.
+    that does not matter, or that the verdict does not stand for, explains nothing: a model of what swings takes up a part of any vibration.
 
     Args:
         nominal, fit: without and with what explains the wrench best; what that changes in the payload counts as its uncertainty.
+        named: what the verdict stands for, the nominal twin where it names no effect.
     """
     holds = tuple(part.rows for part in windows.basis.segments if part.is_hold)
-    named = fit if is_material(windows, nominal, fit) else nominal
     left, measured = windows.unwhiten(named.residual), windows.unwhiten(windows.target)
     phi_std = np.hypot(fit.phi_std, fit.phi - nominal.phi)
     view = View(holds, windows.basis.noise.std, fit.phi, phi_std, left, measured - left, windows.centres)

@@ -76,7 +76,7 @@ def test_blows_of_a_hammer_are_a_vibration_with_the_frequency_that_their_author_
     recording = kuka("2-vibrations")
     windows = Windows(basis_of(recording))
     nominal = fit_nominal(windows)
-    seen = {each.id: each for each in observe_symptoms(recording, windows, nominal, nominal) if each.material}
+    seen = {each.id: each for each in observe_symptoms(recording, windows, nominal, nominal, nominal) if each.material}
     assert set(seen) == {"structure_vibration"}
     vibration = seen["structure_vibration"]
     assert vibration.parameters["frequency_hz"].value == pytest.approx(12.0, abs=0.3)

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from bench.diagnosis_elsewhere import make
 from core.effects.library import library
 from core.gap.diagnosis import examine
 from core.gap.fit_all import one_by_one
@@ -33,6 +34,14 @@ def test_a_floor_that_shakes_is_named_with_its_frequency_beside_models_of_what_s
     beside = {each.id: each for each in diagnosis.also if each.material}
     assert set(beside) == {"structure_vibration"}
     assert beside["structure_vibration"].parameters["frequency_hz"].value == pytest.approx(hz, abs=0.1)
+
+
+def test_a_floor_that_shakes_is_named_although_a_part_that_swings_takes_up_most_of_it_and_is_not_believed() -> None:
+    candidates = [effect for effect in library() if effect.id in SWINGS]
+    diagnosis, evidence = examine(make("floor_shakes", 8181), candidates, fit_all=one_by_one)
+    assert evidence is not None
+    assert (diagnosis.verdict, evidence.best.name) == ("unknown", "payload_loose")
+    assert [each.id for each in diagnosis.also if each.material] == ["structure_vibration"]
 
 
 def test_noise_of_the_sensor_alone_is_no_vibration(run: Run) -> None:
