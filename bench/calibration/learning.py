@@ -15,7 +15,6 @@ from core.gap.weighing import Contest, count, weigh_numbers
 
 PRIOR = {
     "log_draws": (np.log(10.0), 1.0),
-    "log_own": (np.log(1e-4), 1.5),
     "schwarz": (0.5, 0.15),
     "log_bent": (np.log(0.001), 1.0),
     "none": (np.log(3.0), 1.0),
@@ -25,8 +24,8 @@ PRIOR = {
     "lapse": (-2.2, 0.7),
     "lapse_left": (0.8, 0.5),
 }
-"""Mean and standard deviation of each figure before any trial: a run has some ten different motions, models of causes are right to 1 % (of
-the force: 1e-4 of its square), parameters cost by Schwarz's criterion. Wide, but for that price, of which trials tell little."""
+"""Mean and standard deviation of each figure before any trial: a run has some ten different motions, parameters cost by Schwarz's
+criterion. Wide, but for that price, of which trials tell little."""
 STEP = 1e-4
 """Of numerical derivatives, in standard deviations of the prior."""
 FOLDS = 5

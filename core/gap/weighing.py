@@ -63,8 +63,7 @@ class Figures(BaseModel):
     """What is learnt.
 
     Args:
-        figures: `log_draws`, independent draws that a model's own error is worth, by its logarithm; `log_own`, share of the gap below which
-            no model of a cause is expected to be right, by its logarithm; `schwarz`, of the logarithm of draws
+        figures: `log_draws`, independent draws that a model's own error is worth, by its logarithm; `schwarz`, of the logarithm of draws
             that each of the first `STIFF` parameters costs (1/2 is Schwarz's); `log_bent`, share of the gap that each further one
             may take up by bending, by its logarithm; `none`, log odds of no effect against each single one; `further`, log odds against
             each further effect; `unknown`, `unknown_left`, `lapse`, `lapse_left`, logits of the two doubts where the best fit leaves 1 % of
@@ -137,12 +136,10 @@ def score(numbers: Contest, figures: Mapping[str, float]) -> Array:
     """(..., 1 + n), log weights: how much worse than the best each predicts, less what its parameters cost, so that of two that predict
     alike the smaller one wins. The nominal twin is no approximation: what it predicts worse counts in full."""
     chi_square, free, further, least, rows, _ = numbers
-    gap = np.maximum(0.0, chi_square[..., :1] - rows)
-    own = math.exp(figures["log_own"]) * gap / rows
-    beyond = find_beyond_chance(least, rows) + own
+    beyond = find_beyond_chance(least, rows)
     scale, unit = 1.0 + beyond * rows / math.exp(figures["log_draws"]), np.maximum(1.0, least / rows)
-    schwarz = figures["schwarz"] * np.log(np.maximum(1.0, rows * (unit + own) / scale))
-    bent = 0.5 * math.exp(figures["log_bent"]) * gap / scale
+    schwarz = figures["schwarz"] * np.log(rows * unit / scale)
+    bent = 0.5 * math.exp(figures["log_bent"]) * np.maximum(0.0, chi_square[..., :1] - rows) / scale
     costs = np.minimum(free, STIFF) * schwarz + np.maximum(free - STIFF, 0.0) * np.minimum(schwarz, bent) + figures["further"] * further
     worse = chi_square - least
     return np.concatenate([figures["none"] - 0.5 * worse[..., :1] / unit, -0.5 * worse[..., 1:] / scale - costs[..., 1:]], axis=-1)

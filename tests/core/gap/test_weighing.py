@@ -46,13 +46,6 @@ def test_what_closes_the_gap_is_more_probable_the_less_it_leaves() -> None:
     assert shares[0] > 0.8
 
 
-def test_what_leaves_less_than_any_model_is_right_to_is_no_better_than_what_has_fewer_parameters() -> None:
-    """A twentieth of the noise is 300 of chi-square here, and less than a tenth of a percent of the gap."""
-    p = weigh(trace("none", 80.0), [trace("gain", 0.0, 6), trace("hysteresis", -0.05, 13)])
-    assert p[2] > 0.8
-    assert weigh(trace("none", 0.5), [trace("gain", 0.0, 6), trace("hysteresis", -0.05, 13)])[3] > 0.8  # of a small gap it is much
-
-
 def test_where_no_gap_is_nothing_is_most_probable_and_with_a_large_one_it_is_out_of_the_question() -> None:
     assert np.argmax(weigh(trace("none", 0.0), [trace("a", 0.0), trace("b", 0.0, 12)])) == 0
     assert weigh(trace("none", 50.0), [trace("a", 10.0)])[0] < 0.01
