@@ -8,6 +8,7 @@ import numpy as np
 
 from core.array import Array
 from core.effects.effect import Finding, Parameter, Symptom, View
+from core.recording.held_readings import BLOCK, SIGNIFICANT, find_held_share
 from core.recording.recording import PAUSE_S, Recording
 from core.words.message import Message
 
@@ -17,14 +18,8 @@ LEAST = 0.005
 """Share below which nothing is said: an arm that starts and stops makes channels repeat together as well."""
 SAID = 5e-4
 """Share from which it is said: with one digit after the point, smaller ones are 0 %."""
-SIGNIFICANT = 5.0
-"""Standard deviations."""
 USUAL = 1e-4
 """Share of the rows that a good recorder may hold or lose."""
-CHANCE = 0.01
-"""A block tells nothing when fresh rows would repeat all channels with more than this chance."""
-BLOCK = 200
-"""Samples over which the channels' own chance to repeat a value is taken as constant."""
 
 
 class SampleDropout(Symptom):
@@ -71,32 +66,6 @@ def _say_shares(held: float, lost: float) -> dict[str, float]:
     return {name: float(share) if share >= SAID else 0.0 for name, share in (("held_share", held), ("lost_share", lost))}
 
 
-def find_held_share(wrench: Array) -> tuple[float, int, int]:
-    """Share of held rows in `wrench` (N, 6), the number of rows that it is based on, and the longest run of equal rows.
-
-    Blocks in which all channels would rest on their values anyway (coarse steps, nothing moving) cannot tell and are left out.
-    """
-    same = np.diff(wrench, axis=0) == 0
-    every = same.all(axis=1)
-    blocks = len(same) // BLOCK
-    if blocks == 0:
-        return 0.0, 0, 0
-    e = same[: blocks * BLOCK].reshape(blocks, BLOCK, 6).mean(axis=1)
-    joint = every[: blocks * BLOCK].reshape(blocks, BLOCK).mean(axis=1)
-    shares = np.array([_solve_held_share(joint[b], e[b]) for b in range(blocks)])
-    told = np.isfinite(shares)
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], every.astype(int), [0]])))
-    longest = int(np.max(edges[1::2] - edges[::2], initial=0))
-    by_chance = e.prod(axis=1)
-    if BLOCK * float((joint - by_chance).sum()) < SIGNIFICANT * math.sqrt(BLOCK * float(by_chance.sum()) + 1):
-        shares[told] = 0.0
-    if told.mean() < 0.5:  # the few blocks that seem to tell are then those in which chance did
-        return 0.0, 0, longest
-    shares[joint == 1.0] = 1.0  # where noise is seen elsewhere, a wrench that stands still altogether is held
-    told |= joint == 1.0
-    return float(shares[told].mean()), int(told.sum()) * BLOCK, longest
-
-
 def find_lost_share(t: Array) -> float:
     """Share of rows that the clock `t` (N,) should have beyond those it has: gaps of one and a half periods and more."""
     steps = np.diff(t)
@@ -104,23 +73,3 @@ def find_lost_share(t: Array) -> float:
     steps = steps[steps <= max(PAUSE_S, 1.5 * period)]  # in a longer pause nothing was to be recorded
     missing = int(np.maximum(np.rint(steps / period) - 1, 0).sum())
     return missing / (len(t) + missing)
-
-
-def _solve_held_share(joint: float, e: Array) -> float:
-    """p with `joint = p + (1 - p) prod((e - p)/(1 - p))`, the smallest; NaN where p could be anything."""
-    if joint == 0:
-        return 0.0
-    low, high = 0.0, float(e.min())
-    if _by_chance(min(joint, high), e) > CHANCE or joint == 1.0:
-        return math.nan
-    if _by_chance(0.0, e) >= joint:
-        return 0.0
-    for _ in range(40):
-        p = 0.5 * (low + high)
-        low, high = (p, high) if p + (1 - p) * _by_chance(p, e) < joint else (low, p)
-    return 0.5 * (low + high)
-
-
-def _by_chance(p: float, e: Array) -> float:
-    """Chance that all channels repeat without being held, given that share p is."""
-    return float(np.prod(np.clip((e - p) / max(1 - p, 1e-12), 0.0, 1.0)))

@@ -8,10 +8,10 @@ from core.array import Array
 from core.effects.channels import find_largest_channel
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.hold_noise import hold_noise, line_in, rate, steady, without_line
-from core.effects.sample_dropout import find_held_share
 from core.effects.sensor_interference import SIGNIFICANT
 from core.effects.sensor_quantization import step_of
 from core.payload.channels import CHANNELS
+from core.recording.held_readings import find_held_share
 from core.recording.recording import Recording
 from core.words.message import Message
 

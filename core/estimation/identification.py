@@ -18,6 +18,7 @@ from core.estimation.generalised_least_squares import PRIOR_STD
 from core.estimation.kinematic_filter import ALPHA_VARIANCE, filter_motion, find_pose_noise, steady_std
 from core.estimation.kinematics import Poses, poses_of, smooth_motion
 from core.estimation.lateness import advance_wrench, find_lateness
+from core.estimation.lost_rows import is_broken
 from core.estimation.noise import WrenchNoise, sensor_noise, unknown_noise
 from core.estimation.nuisances import nuisances_of
 from core.estimation.offset import offset_of_opposed_poses
@@ -33,6 +34,7 @@ from core.estimation.verification import LeaveOneOut
 from core.estimation.weak_form import WeakForm
 from core.payload.inertia import Motion, is_consistent
 from core.payload.rigid_wrench import wrench as rigid_wrench
+from core.recording.held_readings import drop_repeated_rows
 from core.recording.recording import Recording
 from core.twin.twin import NOMINAL, Twin
 from core.words.message import Message
@@ -73,6 +75,7 @@ def _identify(recording: Recording, twin: Twin, without: Recording | None) -> Id
     def identify(taken: Recording) -> Identification:
         return _identify_by_wrench(taken, np.asarray(taken.wrench), twin)
 
+    recording = drop_repeated_rows(recording)
     answer = identify_at_rest(recording, identify, identify(recording))
     if answer.estimate is not None and answer.estimate.determined[0]:
         return answer
@@ -103,6 +106,8 @@ def _identify_by_wrench(recording: Recording, wrench: Array, twin: Twin) -> Iden
     rows_only = static or (poses.position is None) or not bool((~still).any())
     if rows_only and int(still.sum()) < FEWEST_ROWS:
         return _nothing(segments, Message.of("estimation-too-few-still"))
+    broken = not rows_only and is_broken(poses.t) and int(still.sum()) >= FEWEST_ROWS
+    rows_only = rows_only or broken
     form = WeakForm(poses, still_only=still if rows_only else None)
     if len(form) < FEWEST_ROWS:
         return _nothing(segments, Message.of("estimation-too-short", lasts_s=float(recording.t[-1] - recording.t[0])))
@@ -116,7 +121,8 @@ def _identify_by_wrench(recording: Recording, wrench: Array, twin: Twin) -> Iden
     paper = _paper(recording, poses, wrench - change, still, found.noise, static=static)
     said = warnings_of(recording, estimate, found, static=rows_only)
     left_out = () if effects is None else _warn_of_effects_left_out(effects)
-    warnings = (*setup.remarks, *said, *on_transfers_alone(estimate, turned), *left_out)
+    lacking = (Message.of("estimation-motion-broken"),) if broken else ()
+    warnings = (*setup.remarks, *lacking, *said, *on_transfers_alone(estimate, turned), *left_out)
     verdict = verdict_of(estimate, static=rows_only)
     answer = Identification(paper, estimate, verdict, warnings, segments, accounted=corrected.accounted, shares=corrected.shares)
     if rows_only:

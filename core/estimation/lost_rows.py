@@ -14,11 +14,15 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
 from core.array import Array
+from core.recording.recording import PAUSE_S
 
 LONGEST = 4.5
 """Periods; across a longer step nothing is filled in."""
 OFF = 0.1
 """Of a period that a stamp may be off an even clock; beyond it, or where more than `UNEVEN` of the steps are, the clock is not even."""
+BROKEN = 0.05
+"""Share of the time in gaps that cannot be filled in, from which a motion is not looked at: what second differences of the poses tell of it
+over such gaps is mostly their noise."""
 UNEVEN = 0.01
 
 
@@ -35,6 +39,15 @@ class FilledRows:
     fill: csr_array
     measured: NDArray[np.intp]
     before: NDArray[np.intp]
+
+
+def is_broken(t: Array) -> bool:
+    """Whether times (N,), s, have more than `BROKEN` in gaps that are too long to be filled in, and too short for a pause."""
+    steps = np.diff(t)
+    if not len(steps):
+        return False
+    long = (steps > LONGEST * np.median(steps)) & (steps < PAUSE_S)
+    return float(steps[long].sum()) > BROKEN * float(np.ptp(t))
 
 
 def fill_lost_rows(t: Array) -> FilledRows | None:

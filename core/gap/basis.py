@@ -10,14 +10,15 @@ from scipy.sparse import csr_array, eye_array
 from core.array import Array
 from core.errors import HeftError
 from core.estimation.kinematics import Poses, axial, poses_of, smooth_motion
+from core.estimation.lost_rows import is_broken
 from core.estimation.noise import WrenchNoise, unknown_noise
 from core.estimation.scene import scene_of, scene_of_poses
 from core.estimation.segments import Segment, cut_at_gaps, hold_label, motionless, segments_of_motion, segments_of_phase, stretches
 from core.estimation.weak_form import RawFeatures, regressor_of
 from core.gap.calm_noise import find_fresh_noise
-from core.gap.fresh import find_fresh
 from core.gap.windows import ZERO_STD_RAD, Basis, Rows, window_matrix, window_rows
 from core.payload.inertia import Motion, regressor
+from core.recording.held_readings import find_fresh
 from core.recording.recording import Recording
 
 GRID_S, MOST_INSTANTS = 0.005, 40_000
@@ -135,8 +136,10 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
         # At uneven rows second differences let the noise of the poses through: what the lines between change is seen on the smooth motion.
         reading = csr_array(spread @ fresh.between)
         V += ((reading - spread) @ regressor(motion).reshape(len(poses.t), -1)).reshape(V.shape)
-    if poses.position is None:
+    if poses.position is None or is_broken(poses.t):
         equations = _take_rest(equations, g, np.asarray(spread @ still.astype(float)))
+    if equations.at_rest:
+        V = regressor_of(-g, np.zeros_like(B))
     measured, zero_std = np.asarray(reading @ wrench), find_zero_std(recording)
     return Basis(poses, noise, segments, scene, measured, V, reference, zero_std, spread, reading, raw.difference, equations)
 

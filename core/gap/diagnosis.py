@@ -22,6 +22,7 @@ from core.gap.proposal import proposals
 from core.gap.sound_gears import describe_gears
 from core.gap.windows import Windows
 from core.recording.folder import recording_sha256
+from core.recording.held_readings import drop_repeated_rows
 from core.recording.recording import Recording
 from core.twin.model import explain_lacks, find_effect, find_terms
 from core.twin.twin import NOMINAL, Twin
@@ -53,6 +54,7 @@ def examine(
         folder: that the recording was read from; without it, nothing that is found can go into a twin.
     """
     began = time.perf_counter()
+    recording = drop_repeated_rows(recording)
     try:
         basis = basis_of(recording)
     except TooLittleError as reason:

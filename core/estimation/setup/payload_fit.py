@@ -120,13 +120,10 @@ def _regressors(stances: Stances, gravity: Array) -> tuple[Array, Array, Array]:
 
 def _accelerations(stances: Stances) -> tuple[Array, Array]:
     """Of the sensor's origin (P, 3), and `R^T R''` (P, 3, 3), sensor axes."""
-    square = stances.half_s[:, None, None] ** 2
-    R = stances.rotation
-    B = stances.base @ (R[:, 0] - 2.0 * R[:, 1] + R[:, 2]) / square
+    B = stances.base @ stances.differentiate_twice(stances.rotation)
     if stances.position is None:
-        return np.zeros((len(R), 3)), B
-    p = stances.position
-    return np.einsum("kij,kj->ki", stances.base, (p[:, 0] - 2.0 * p[:, 1] + p[:, 2]) / square[:, 0]), B
+        return np.zeros((len(B), 3)), B
+    return np.einsum("kij,kj->ki", stances.base, stances.differentiate_twice(stances.position)), B
 
 
 def _blur(stances: Stances) -> tuple[float, float]:

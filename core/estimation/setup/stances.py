@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.estimation.kinematics import white_noise_std
+from core.recording.held_readings import find_fresh
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
 
@@ -39,7 +40,8 @@ class Stances:
 
     Args:
         rotation: (P, 3, 3, 3); `position`: (P, 3, 3), m, None where not recorded.
-        half_s: (P,), half a window's width by the recording's clock; zero where poses are not of one motion.
+        steps_s: (P, 2), from a window's first row to its middle one and from there to its last, by the recording's clock, which may be
+            uneven; zero where poses are not of one motion.
         gravity: (3,), base frame, m/s2.
         wrench: (P, 6), N and N m.
         noise: (P, 6), standard uncertainty of these means, as far as their samples tell.
@@ -50,7 +52,7 @@ class Stances:
 
     rotation: Array
     position: Array | None
-    half_s: Array
+    steps_s: Array
     gravity: Array
     wrench: Array
     noise: Array
@@ -66,7 +68,18 @@ class Stances:
     @property
     def moves(self) -> bool:
         """Whether accelerations can be told."""
-        return bool((self.half_s > 0.0).any())
+        return bool((self.steps_s > 0.0).any())
+
+    @property
+    def half_s(self) -> Array:
+        """(P,), half a window's width."""
+        return np.asarray(self.steps_s.mean(axis=1))
+
+    def differentiate_twice(self, x: Array) -> Array:
+        """(P, ...), second derivatives by time of values (P, 3, ...) at the rows of the windows: divided differences."""
+        before, after = self.steps_s.T
+        first, last = 2.0 / (before * (before + after)), 2.0 / (after * (before + after))
+        return np.asarray(np.einsum("kw,kw...->k...", np.stack((first, -first - last, last), axis=1), x))
 
     @property
     def base(self) -> Array:
@@ -80,7 +93,7 @@ class Stances:
             self,
             rotation=self.rotation[rows],
             position=None if self.position is None else self.position[rows],
-            half_s=self.half_s[rows],
+            steps_s=self.steps_s[rows],
             wrench=self.wrench[rows],
             noise=self.noise[rows],
             distinct=min(self.distinct, len(rows)),
@@ -108,10 +121,10 @@ def stances_of(recording: Recording) -> Stances | None:
     half = _find_half(recording.t, x, total)
     middle = _choose(recording.t, half)
     rows = np.stack((middle - half, middle, middle + half), axis=1)
-    means, noise = _average(recording.wrench, middle, half)
+    fresh = find_fresh(recording.wrench)
+    means, noise = _average(recording.wrench if fresh is None else fresh.between @ recording.wrench, middle, half)
     distinct = _count_distinct(x[middle], APART * total)
-    half_s = 0.5 * (recording.t[rows[:, 2]] - recording.t[rows[:, 0]])
-    common = half_s, recording.gravity, means, noise, distinct, _jitter(recording, joints), recording.t[middle]
+    common = np.diff(recording.t[rows], axis=1), recording.gravity, means, noise, distinct, _jitter(recording, joints), recording.t[middle]
     if joints is not None and recording.robot is not None:
         robot = RobotModel(recording.robot)
         return Stances(np.zeros((len(rows), 3, 3, 3)), None, *common, robot=robot).at_joints(joints[rows])

@@ -27,6 +27,7 @@ estimation-turned-about = Positionen fehlen: angenommen ist, dass der Sensor um 
 estimation-place-uncertain = Positionen fehlen, und die Stelle, um die der Sensor gedreht wurde, ist nicht genau genug bekannt
 estimation-too-short = { FIXED($lasts_s, digits: 2) } s sind zu kurz, um etwas zu sagen
 estimation-no-motion = die Aufzeichnung enthält neben den Kräften weder Gelenke noch Stellungen
+estimation-motion-broken = es fehlen so viele Zeilen hintereinander oder wiederholen sich, dass sich über die Bewegung nichts sagen lässt: Masse und erstes Moment stammen aus den Haltephasen
 estimation-residual-above-noise = der Rest ist größer als das Rauschen des Sensors, am meisten in { $channel } ({ FIXED($times, digits: 1) }-mal): etwas, das im Modell fehlt; die Unsicherheiten wurden vergrößert, aber ein Fehler, der sich wiederholt, ist kein Rauschen
 estimation-not-converged = die Schätzung kam nicht zur Ruhe: die Bewegung trennt nicht, was zu bestimmen ist; auf die Zahlen ist kein Verlass
 estimation-no-such-body = für sich allein verlangten die Daten einen Körper, den es nicht geben kann; genommen wurde der nächste, den es geben kann

@@ -31,6 +31,7 @@ estimation-place-uncertain = positions are missing, and the place that the senso
 estimation-too-short = { FIXED($lasts_s, digits: 2) } s are too short to say anything
 estimation-no-motion = the recording has neither joints nor poses beside the wrench
 # What should be known before the numbers are used.
+estimation-motion-broken = rows are lost or written again for so long at a time that nothing can be said of the motion: mass and first moment are those of the holds
 estimation-residual-above-noise = the residual exceeds the sensor's noise, most in { $channel } ({ FIXED($times, digits: 1) } times): something that the model leaves out; the uncertainties were widened, but an error that repeats is not noise
 estimation-not-converged = the estimation did not come to rest: the motion does not tell apart what it has to find; the numbers are not to be relied on
 estimation-no-such-body = the data alone asked for a body that cannot exist; the nearest one that can was taken

@@ -14,10 +14,11 @@ from scipy.signal import lfilter
 
 from core.effects.effect import Finding, Symptom, View
 from core.effects.hold_noise import line_in
-from core.effects.sample_dropout import SampleDropout, find_held_share, find_lost_share
+from core.effects.sample_dropout import SampleDropout, find_lost_share
 from core.effects.sensor_interference import SensorInterference
 from core.effects.sensor_noise import SensorNoise
 from core.effects.sensor_quantization import SensorQuantization, step_of
+from core.recording.held_readings import find_held_share
 from core.recording.recording import Recording, SensorDescription
 from tests.core.effects.synthetic_scene import NOISE, RESOLUTION, scene
 from tests.core.effects.test_library import check_names

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from core.effects.library import library
+from core.estimation.identification import identify_recording
 from core.gap.diagnosis import examine
 from core.gap.fit_all import one_by_one
-from core.gap.fresh import find_fresh
-from core.recording.recording import Recording
+from core.recording.held_readings import drop_repeated_rows, find_fresh
+from core.recording.recording import Recording, take_rows
 from tests.synthetic import Imperfections, payload, record, run_of
 
 SOME = [effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_lowpass")]
@@ -53,6 +54,38 @@ def test_behind_it_a_tilt_is_found_with_its_size() -> None:
     best = diagnosis.effects[0]
     assert (diagnosis.verdict, best.id) == ("explained", "base_tilt")
     assert best.parameters["about_x_rad"].value == pytest.approx(0.02, abs=1e-3)
+
+
+def repeat_rows(recording: Recording, share: float, longest: int) -> Recording:
+    """What a recorder makes of it that falls behind and writes its last row again, pose and wrench alike."""
+    rng, rows = np.random.default_rng(5), np.arange(len(recording))
+    while (rows[1:] == rows[:-1]).mean() < share:
+        at, count = int(rng.integers(1, len(rows) - longest)), int(rng.integers(1, longest + 1))
+        rows[at : at + count] = rows[at - 1]
+    return replace(take_rows(recording, rows), t=recording.t)
+
+
+@pytest.mark.parametrize("longest", [3, 12])
+def test_rows_that_a_recorder_wrote_again_are_lost_and_no_contradiction_and_no_gap(longest: int) -> None:
+    body = payload("steel_block")
+    whole = record(run_of(repetitions=1, period=0.002), body, np.random.default_rng(3), Imperfections(resolution=None))
+    again = repeat_rows(whole, 0.3, longest)
+    kept = drop_repeated_rows(again)
+    assert len(kept) == pytest.approx(0.7 * len(again), rel=0.02)
+    assert np.isin(kept.t, again.t).all()
+    told = identify_recording(again)
+    assert told.estimate is not None
+    assert told.estimate.determined.tolist() == [True] * 4 + [False] * 6
+    assert [said.code for said in told.warnings if said.code == "estimation-motion-broken"]
+    assert told.estimate.phi[0] == pytest.approx(body.mass, abs=4.0 * told.estimate.std[0])
+    diagnosis, _ = examine(again, SOME, fit_all=one_by_one)
+    assert diagnosis.verdict == "no_gap"
+    assert [each.id for each in diagnosis.also if each.material] == ["sample_dropout"]
+
+
+def test_readings_alone_that_repeat_leave_every_row_where_it_is() -> None:
+    recording = polled(6)
+    assert drop_repeated_rows(recording) is recording
 
 
 def test_fresh_rows_are_kept_and_others_lie_between_them() -> None:
