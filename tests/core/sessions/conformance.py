@@ -187,6 +187,11 @@ def move(session: RobotSession, cell: Cell, seconds: float = 0.4) -> list[RobotS
     return states
 
 
+def count_skipped(states: list[RobotState], period: float) -> int:
+    """How many samples of the controller lie between those that were seen: the computer that tests run on may be late itself."""
+    return int((np.round(np.diff([state.t for state in states]) / period) - 1).sum())
+
+
 def check_states(states: list[RobotState], period: float) -> None:
     """Finite, of one length, and on a clock that goes on by whole periods."""
     t = np.array([state.t for state in states])
