@@ -14,9 +14,6 @@ from typing import Self
 
 RETRY_S = 0.02
 """How much later what is sent again arrives on a line that loses packets."""
-QUIET_S, CALM = 0.1, 3
-"""How long a client has sent nothing when a period ends, on a clock that waits for answers, until it has answered so many once each:
-what it sends before it has read a period's report is no answer to that, and would leave the client one period behind from then on."""
 
 
 class PacedServer(ABC):
@@ -45,7 +42,6 @@ class PacedServer(ABC):
         self._delayed: list[tuple[float, socket.socket, bytes]] = []
         self._sent_at = 0.0
         self._answered, self._silent = True, False
-        self._quiet_at, self._said, self._calm = 0.0, 0, 0
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._serve, name=type(self).__name__, daemon=True)
         self._orders: list[Callable[[], None]] = []
@@ -102,22 +98,15 @@ class PacedServer(ABC):
 
     def _await_answer(self, now: float) -> None:
         """What was sent just now is to be answered."""
-        self._sent_at, self._answered, self._said = now, not self._expects_answers(), 0
+        self._sent_at, self._answered = now, not self._expects_answers()
 
     def _take_answer(self, *, new: bool) -> None:
         """The client has answered; `new` where it was a command and no sign of life."""
-        self._said += 1
-        self._hear(time.monotonic())
         if self._answered:
             return
         if new:
             self.latencies_s.append(time.monotonic() - self._sent_at)
         self._answered, self._silent = True, False
-
-    def _hear(self, now: float) -> None:
-        """Until the client is in step, a period goes on for a while after what was heard last."""
-        if self._calm < CALM:
-            self._quiet_at = now + min(QUIET_S, self.patience_s or 0.0)
 
     def _wait(self, due: float) -> float:
         """Takes what comes until the next period begins; gives when it did. A period that begins late puts off all that follow."""
@@ -125,17 +114,10 @@ class PacedServer(ABC):
         while not self._ended.is_set():
             now = time.monotonic()
             self._flush(now)
-            waits = self.patience_s is not None and self._expects_answers()
-            if not waits:
-                self._calm = 0
-                self._hear(now)
-            out_of_patience = now > self._sent_at + (self.patience_s or 0.0)
-            answered = waits and self._answered and (now >= self._quiet_at or out_of_patience)
-            waits_for_answer = waits and not (answered or self._silent or self.cut)
-            if waits_for_answer and out_of_patience:
-                self._silent, self._calm, waits_for_answer = True, 0, False
-            if answered and self._calm < CALM:
-                self._calm = self._calm + 1 if self._said == 1 else 0
+            waits_for_answer = not (self.patience_s is None or self._answered or self._silent or self.cut) and self._expects_answers()
+            if waits_for_answer and now > self._sent_at + (self.patience_s or 0.0):
+                self._silent, waits_for_answer = True, False
+            answered = self.patience_s is not None and self._answered and self._expects_answers()
             if answered or (now >= due and not waits_for_answer):
                 break
             until = min([due if not waits_for_answer else now + 0.01, *(at for at, _, _ in self._delayed)])

@@ -41,7 +41,7 @@ def find_fresh(wrench: Array) -> Fresh | None:
     if find_held_share(wrench)[0] < LEAST:
         return None
     n = len(wrench)
-    fresh = np.flatnonzero(np.concatenate(([True], (np.diff(wrench, axis=0) != 0).any(axis=1))))
+    fresh = np.flatnonzero(~_repeats(wrench))
     rows = np.arange(n)
     after = np.clip(np.searchsorted(fresh, rows, side="right"), 1, len(fresh) - 1)
     first, last = fresh[after - 1], fresh[after]
@@ -56,11 +56,17 @@ def drop_repeated_rows(recording: Recording) -> Recording:
     poses = recording.q if recording.q is not None else recording.orientation
     if recording.wrench is None or poses is None:
         return recording
-    rows = np.column_stack((recording.wrench, poses.reshape(len(poses), -1)))
-    repeated = np.concatenate(([False], (np.diff(rows, axis=0) == 0).all(axis=1)))
+    repeated = _repeats(recording.wrench)
+    if repeated.mean() >= LEAST:  # of hardly any recording, so the poses are seldom looked at
+        repeated &= _repeats(poses.reshape(len(poses), -1))
     if repeated.mean() < LEAST or find_held_share(recording.wrench)[0] < LEAST:
         return recording
     return take_rows(recording, ~repeated)
+
+
+def _repeats(x: Array) -> NDArray[np.bool_]:
+    """(N,), which rows of x (N, m) are those before them once more."""
+    return np.concatenate(([False], (x[1:] == x[:-1]).all(axis=1)))
 
 
 def find_held_share(wrench: Array) -> tuple[float, int, int]:

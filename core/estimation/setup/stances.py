@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.estimation.kinematics import white_noise_std
-from core.recording.held_readings import find_fresh
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
 
@@ -121,8 +120,7 @@ def stances_of(recording: Recording) -> Stances | None:
     half = _find_half(recording.t, x, total)
     middle = _choose(recording.t, half)
     rows = np.stack((middle - half, middle, middle + half), axis=1)
-    fresh = find_fresh(recording.wrench)
-    means, noise = _average(recording.wrench if fresh is None else fresh.between @ recording.wrench, middle, half)
+    means, noise = _average(recording.wrench, middle, half)
     distinct = _count_distinct(x[middle], APART * total)
     common = np.diff(recording.t[rows], axis=1), recording.gravity, means, noise, distinct, _jitter(recording, joints), recording.t[middle]
     if joints is not None and recording.robot is not None:

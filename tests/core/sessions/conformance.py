@@ -5,6 +5,7 @@ The bench knows the truth about the robot from beside the driver: from the simul
 
 from __future__ import annotations
 
+import time
 from abc import ABC, abstractmethod
 
 import numpy as np
@@ -187,9 +188,15 @@ def move(session: RobotSession, cell: Cell, seconds: float = 0.4) -> list[RobotS
     return states
 
 
-def count_skipped(states: list[RobotState], period: float) -> int:
-    """How many samples of the controller lie between those that were seen: the computer that tests run on may be late itself."""
-    return int((np.round(np.diff([state.t for state in states]) / period) - 1).sum())
+def fall_into_step(session: RobotSession) -> None:
+    """Leaves a session that has read all that its controller has sent, where that waits for the answer to its last report.
+
+    What is sent before a report was read counts as its answer, and leaves the session one report behind: then it reads two at once some
+    day. So it commands, gives all that is on its way time to arrive, and reads it.
+    """
+    session.command(session.state().q_cmd)
+    time.sleep(0.5)
+    session.state()
 
 
 def check_states(states: list[RobotState], period: float) -> None:

@@ -15,7 +15,7 @@ from core.fakes.xarm_arm import COLLISION, EMERGENCY, PAUSE, POSITION, SENSOR, S
 from core.fakes.xarm_protocol import XarmPeer
 from core.fakes.xarm_server import XarmServer
 from core.sessions.xarm import LEAP_M, XarmSession
-from tests.core.sessions.conformance import Bench, Conformance, check_states, count_skipped, move
+from tests.core.sessions.conformance import Bench, Conformance, fall_into_step, move
 
 CELLS = Path(__file__).parents[3] / "cells"
 CELL = load_cell(CELLS / "ur5e_line")
@@ -215,10 +215,12 @@ def test_a_controller_of_something_else_is_told(bench, monkeypatch):
 
 def test_no_period_passes_without_a_command(bench):
     with bench.open() as session:
-        states, before = [session.state()], session.missed
-        states += move(session, bench.cell, seconds=1.0)
+        fall_into_step(session)
+        before = session.missed
+        states = move(session, bench.cell, seconds=1.0)
         followed, missed = bench.arm.periods_followed, bench.arm.missed
-        assert session.missed - before == count_skipped(states, session.period)
+        assert session.missed == before
+    np.testing.assert_allclose(np.diff([state.t for state in states]), session.period, atol=1e-6)
     assert followed >= 195 and missed == 0
 
 
@@ -230,11 +232,12 @@ def test_an_arm_of_seven_joints_without_a_sensor_of_its_own_moves_at_250_hz(monk
     with XarmServer(arm, host, port=PORT, patience_s=PATIENCE_S) as server:
         bench = XarmBench(server, cell)
         with bench.open(rate_hz=250, sensor={"driver": "ati_net_ft", "host": "127.0.0.1"}) as session:
+            fall_into_step(session)
             states = move(session, cell, seconds=0.5)
             assert server.arm.missed == 0
         assert not server.arm.sensor_on
     assert np.abs(states[-1].q - states[0].q).min() > 1e-3
-    check_states(states, 0.004)
+    np.testing.assert_allclose(np.diff([state.t for state in states]), 0.004, atol=1e-6)
 
 
 def cut_for(bench, seconds):
