@@ -24,6 +24,10 @@ from core.gap.windows import OFFSET, Windows
 from core.payload.inertia import Motion
 from core.recording.recording import BETWEEN_RUNS_S, Recording
 
+STEPS = 8
+SETTLED = 0.01
+"""Share of the cost by which it still falls where it is done."""
+
 
 class Prediction:
     """A motion that has not been made, with the nominal twin along it.
@@ -51,25 +55,37 @@ class Prediction:
 
         An effect that both have is the same in both: that each carries its own course of a drift on, say, is no difference.
         """
-        (rows_a, columns_a), (rows_b, columns_b) = self._rows(a), self._rows(_share(self._scene, a, b))
-        d = rows_b - rows_a
-        return min(self._find_distance(d, a, columns_a), self._find_distance(-d, b, columns_b))
+        shared = _share(self._scene, a, b)
+        rows_a, rows_b = self._rows(a)[0], self._rows(shared)[0]
+        return min(self._find_distance(rows_b, a), self._find_distance(rows_a, shared))
 
-    def _find_distance(self, d: Array, fit: EffectFit, columns: Array) -> float:
-        """What a fit cannot follow of rows d (6K,): the root of the least `|d - Z x|^2 + x^T S^-1 x` within the bounds of its parameters.
+    def _find_distance(self, rows: Array, fit: EffectFit) -> float:
+        """What a fit cannot follow of rows (6K,): the root of the least `|rows - f(x)|^2 + x^T S^-1 x` within the bounds of its parameters,
+        by Gauss-Newton's method.
 
-        S is their covariance, beside unit variances of the new offsets in the last columns Z.
+        x is how far payload, small imperfections and effects go from where the present recording has them, S their covariance; the last
+        six are the new offsets, of unit variance.
         """
         here = np.concatenate((fit.beta, fit.theta))
-        bounds = np.full((2, columns.shape[1]), np.inf) * [[-1.0], [1.0]]
+        bounds = np.full((2, len(here) + 6), np.inf) * [[-1.0], [1.0]]
         bounds[:, : len(here)] = Problem(self._present, fit.effects).bounds - here
         bounds = np.stack((np.minimum(bounds[0], 0.0), np.maximum(bounds[1], 0.0)))
-        normal = columns.T @ columns
-        normal[: len(here), : len(here)] += inverse(fit.covariance)
-        normal[range(len(here), len(normal)), range(len(here), len(normal))] += 1.0
-        seen = columns.T @ d
-        x = find_bounded_minimum(normal, seen, bounds)
-        return float(np.sqrt(max(0.0, float(d @ d - 2.0 * seen @ x + x @ normal @ x))))
+        precision = np.eye(len(here) + 6)
+        precision[: len(here), : len(here)] = inverse(fit.covariance)
+        x, step, least = np.zeros(len(precision)), np.zeros(len(precision)), np.inf
+        for _ in range(STEPS):
+            at, moved = x + step, here + (x + step)[: len(here)]
+            predicted, columns = self._rows(replace(fit, beta=moved[: len(fit.beta)], theta=moved[len(fit.beta) :]))
+            r = rows - predicted - columns[:, len(here) :] @ at[len(here) :]
+            cost = float(r @ r + at @ precision @ at)
+            if cost > least:
+                step *= 0.5
+                continue
+            fell, x, least = least - cost, at, cost
+            if fell < SETTLED * cost:
+                break
+            step = find_bounded_minimum(columns.T @ columns + precision, columns.T @ r - precision @ x, bounds - x)
+        return float(np.sqrt(least))
 
     def _rows(self, fit: EffectFit) -> tuple[Array, Array]:
         """What a fit predicts (6K,), and how that depends on all its parameters and on new offsets (6K, n)."""

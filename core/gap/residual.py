@@ -13,7 +13,7 @@ from core.gap.windows import Windows
 from core.payload.channels import CHANNELS
 from core.words.message import Message
 
-BANDS_HZ = ((0.0, 2.0), (2.0, 8.0), (8.0, 20.0))
+BANDS_HZ = ((0.0, 2.0), (2.0, 10.0))
 
 
 @dataclass(frozen=True)

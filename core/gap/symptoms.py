@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from core.array import Array
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.library import symptoms
 from core.effects.parameter_title import find_title
@@ -13,12 +14,14 @@ from core.effects.sides import Side
 from core.gap.answer import Also, Value
 from core.gap.effect_fit import EffectFit
 from core.gap.materiality import is_doubtful
-from core.gap.windows import Windows
+from core.gap.problem import Problem
+from core.gap.windows import Windows, window_rows
 from core.recording.recording import Recording
 from core.words.message import Message
 
 SEEN_SIGMA = 5.0
-
+FINE_S = 0.025
+"""Between windows in which vibrations are looked for: faster ones than those that effects are fitted in show."""
 
 LEADING: tuple[Side, ...] = ("reference", "reading")
 """What the summary goes on with where it is material, in this order."""
@@ -35,9 +38,9 @@ def observe_symptoms(recording: Recording, windows: Windows, nominal: EffectFit,
         named: what the verdict stands for, the nominal twin where it names no effect.
     """
     holds = tuple(part.rows for part in windows.basis.segments if part.is_hold)
-    left, measured = windows.unwhiten(named.residual), windows.unwhiten(windows.target)
+    t, left, expected = _look_finely(windows, named)
     phi_std = np.hypot(fit.phi_std, fit.phi - nominal.phi)
-    view = View(holds, windows.basis.noise.std, fit.phi, phi_std, left, measured - left, windows.centres)
+    view = View(holds, windows.basis.noise.std, fit.phi, phi_std, left, expected, t)
     acting = {effect.id for effect in named.effects}
     found: list[tuple[Symptom, Finding]] = []
     for symptom in symptoms():
@@ -51,6 +54,18 @@ def observe_symptoms(recording: Recording, windows: Windows, nominal: EffectFit,
     behind = {name for symptom, _ in found for name in symptom.explains}
     own = [(symptom, finding) for symptom, finding in found if symptom.id not in behind]
     return [_also(recording, *seen) for seen in sorted(own, key=lambda seen: (not seen[1].material, -seen[1].sigma))]
+
+
+def _look_finely(windows: Windows, fit: EffectFit) -> tuple[Array, Array, Array]:
+    """Times (K,), what a fit leaves of the wrench (K, 6) and what it expects, N and N m, in finer windows than it was fitted in."""
+    basis = windows.basis
+    if basis.scene.apart or basis.rows.at_rest:
+        left = windows.unwhiten(fit.residual)
+        return windows.centres, left, windows.unwhiten(windows.target) - left
+    fine = Windows(replace(basis, rows=window_rows(basis.poses, basis.scene.t, basis.rows.every, FINE_S)), windows.held)
+    change = fine.rows_of([Problem(fine, fit.effects).change(fit.theta, basis.scene.with_phi(fit.phi))])[..., 0]
+    left = fine.unwhiten(fine.target - fine.X @ fit.beta - change)
+    return fine.centres, left, fine.y - left
 
 
 def observe_joints(recording: Recording) -> list[Also]:

@@ -17,7 +17,7 @@ from tests.synthetic import Imperfections, payload, record, run_of
 DELAY, FILTER = (next(effect for effect in library() if effect.id == name) for name in ("time_delay", "sensor_lowpass"))
 
 
-def fits(delay_s: float, seed: int, encoder_std: float = 2e-6) -> tuple[EffectFit, EffectFit]:
+def fits(delay_s: float, seed: int, encoder_std: float = 4e-5) -> tuple[EffectFit, EffectFit]:
     """Delay and filter, fitted to a run with a pure delay in which noise of the joints is plain to see."""
     imperfections = Imperfections(delay_s=delay_s, encoder_std=encoder_std)
     recording = record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(seed), imperfections)
