@@ -27,6 +27,7 @@ from core.estimation.fit import DELAY, OFFSET, SHARED, TILT, Fit
 from core.estimation.noise import WrenchNoise, find_noise_factor
 from core.estimation.noisy_columns import NoiseOfColumns, Solution, compensate
 from core.estimation.nuisances import (
+    BUDGETED,
     LEAST_EVIDENCE,
     LEAST_STRENGTH,
     NuisanceColumns,
@@ -129,7 +130,10 @@ class _Problem:
         self.nuisances = None if nuisances is None else NuisanceColumns(form, nuisances)
         self.size = OFFSET.stop + (0 if nuisances is None else nuisances.size)
         self.strength = np.ones(self.size - OFFSET.stop)
-        self.fitted = [] if nuisances is None else list(nuisances.groups)
+        groups = () if nuisances is None else nuisances.groups
+        self.fitted = [group for group in groups if group.name != BUDGETED]
+        for group in groups:
+            self.strength[group.rows] = 1.0 if group in self.fitted else LEAST_STRENGTH
         self.prior = np.concatenate((PRIOR_STD**-2.0, np.zeros(self.size - OFFSET.stop)))
         self.system = np.zeros((0, 0)), np.zeros(0), np.zeros((0, 0))
         """Of the last linearisation: normal matrix, right-hand side, and how much of the former is noise of the poses."""

@@ -40,6 +40,9 @@ MEASURED_BY = {
     "sensor_rotation": "sensor_mount",
 }
 """Effects of a twin that say of a group how large it is; their own uncertainty takes its place."""
+BUDGETED = "gravity"
+"""The group that no recording is asked about; it counts with its uncertainty alone. Gravity shows only in how much less a mass weighs at
+rest than it resists in motion, and an arm that swings on its gears changes that by several per cent."""
 LEAST_STRENGTH = 1e-6
 LEAST_EVIDENCE = 6.0
 """Below it a group is left out of the fit and counts with its uncertainty alone; in clean data one of a hundred is above it by chance."""
