@@ -15,7 +15,9 @@ those of `core.estimation.nuisances`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +38,7 @@ from core.estimation.nuisances import (
     find_evidence,
     improve_strength,
 )
+from core.estimation.quadratic import solve_scaled
 from core.estimation.variance_search import Channel, slope_of
 from core.estimation.weak_form import WeakForm
 from core.estimation.window_covariance import WindowCovariance
@@ -93,6 +96,38 @@ def fit_like(form: WeakForm, wrench: Array, found: Fit) -> Fit:
     for _ in range(STEPS_AGAIN):
         covariance, x = problem.step(x, found.scale)
     return replace(problem.result(x, covariance, converged=True), scale=found.scale)
+
+
+class Beside(NamedTuple):
+    """A fit whose weights are known, and what k further columns of the wrench would explain beside it.
+
+    Args:
+        x: (19 + b,), its unknowns. chi_square: of its residual; cost: the same with the priors. rows: how many equations there are.
+        normal, right: (k, k) and (k,), equations of the columns' sizes, as far as the unknowns cannot follow them.
+    """
+
+    x: Array
+    chi_square: float
+    cost: float
+    rows: int
+    normal: Array
+    right: Array
+
+
+def look_beside(form: WeakForm, wrench: Array, found: Fit, columns: Sequence[Array] = ()) -> Beside:
+    """One step from what was found, with its weights, for a wrench (N, 6) that differs little, and columns (N, 6) of it."""
+    problem, k = _Problem.like(form, wrench, found), len(columns)
+    _, x = problem.step(found.x, found.scale)
+    seen = np.stack([form.average(column) for column in columns], axis=2) if k else np.zeros((*problem.y.shape, 0))
+    chi_square, own, right, shared = 0.0, np.zeros((k, k)), np.zeros(k), np.zeros((problem.size, k))
+    for c, at in enumerate(problem.channels):
+        G = at.factor.whiten(problem.drift.filter.apply(seen[:, c]))
+        chi_square += float(at.residual @ at.residual)
+        own, right = own + G.T @ G, right + G.T @ at.residual
+        shared[at.rows] += at.columns.T @ G
+    known = problem.system[0] + np.diag(problem.prior)
+    rows = sum(len(at.residual) for at in problem.channels)
+    return Beside(x, chi_square, chi_square + float(problem.prior @ x**2), rows, own - shared.T @ solve_scaled(known, shared), right)
 
 
 _UNIT_REGRESSORS = np.stack([spatial_inertia(unit).T for unit in np.eye(10)], axis=2)

@@ -14,6 +14,7 @@ from core.estimation.consistency import NO_SUCH_BODY, distance_from_bodies, near
 from core.estimation.determination import find_determined, reasons
 from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
 from core.estimation.fit import DELAY, OFFSET, TILT
+from core.estimation.gears import describe_gears, find_gears
 from core.estimation.generalised_least_squares import PRIOR_STD
 from core.estimation.kinematic_filter import ALPHA_VARIANCE, filter_motion, find_pose_noise, steady_std
 from core.estimation.kinematics import Poses, poses_of, smooth_motion
@@ -112,7 +113,15 @@ def _identify_by_wrench(recording: Recording, wrench: Array, twin: Twin) -> Iden
     if len(form) < FEWEST_ROWS:
         return _nothing(segments, Message.of("estimation-too-short", lasts_s=float(recording.t[-1] - recording.t[0])))
     effects = effects_on(recording, poses, segments, twin, static=static) if twin.effects else None
-    corrected = fit_with_effects(form, wrench, noise or unknown_noise(), effects, nuisances_of(recording, poses.joints, twin))
+    nuisances = nuisances_of(recording, poses.joints, twin)
+    corrected = fit_with_effects(form, wrench, noise or unknown_noise(), effects, nuisances)
+    gears = None
+    if noise is not None and not rows_only and (corrected.found.scale > 1.0).any():
+        along = effects or effects_on(recording, poses, segments, twin, static=False)
+        gears = find_gears(poses, wrench, corrected.found, along)
+        if gears is not None:
+            along = TwinEffects(twin.with_entry(gears), along.scene, recording.t, static=False)
+            corrected = fit_with_effects(form, wrench, noise, along, nuisances, corrected.found).without_share(gears.effect)
     del form  # of a long recording it is the largest thing there is
     found, change = corrected.found, corrected.change
     turned = None if recording.phase is None else "".join(sorted({part.axis or "" for part in segments if part.phase.startswith("rotate")}))
@@ -122,7 +131,8 @@ def _identify_by_wrench(recording: Recording, wrench: Array, twin: Twin) -> Iden
     said = warnings_of(recording, estimate, found, static=rows_only)
     left_out = () if effects is None else _warn_of_effects_left_out(effects)
     lacking = (Message.of("estimation-motion-broken"),) if broken else ()
-    warnings = (*setup.remarks, *lacking, *said, *on_transfers_alone(estimate, turned), *left_out)
+    swings = () if gears is None else (describe_gears(gears),)
+    warnings = (*setup.remarks, *lacking, *swings, *said, *on_transfers_alone(estimate, turned), *left_out)
     verdict = verdict_of(estimate, static=rows_only)
     answer = Identification(paper, estimate, verdict, warnings, segments, accounted=corrected.accounted, shares=corrected.shares)
     if rows_only:

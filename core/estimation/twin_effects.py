@@ -48,11 +48,11 @@ class TwinEffects:
     """
 
     def __init__(self, twin: Twin, scene: Scene, t: Array, *, static: bool) -> None:
-        self.twin, self._t = twin, t
+        self.twin, self.t = twin, t
         lacks = explain_lacks(twin, scene)
         self.lacking = tuple(Message.of("twin-lacking", effect=name, reason=reason) for name, reason in lacks.items())
         self.ids = tuple(name for name in twin.ids if name not in lacks)
-        self._scene = scene
+        self.scene = scene
         self._blocks = [slice(k, k + 1) for k in range(len(scene))] if static else [slice(None)]
 
     def change(self, phi: Array, twin: Twin | None = None) -> Array:
@@ -62,10 +62,10 @@ class TwinEffects:
             phi: (10,), payload.
             twin: the same effects with other parameters; those of the twin itself where absent.
         """
-        scene = self._scene.with_phi(phi)
+        scene = self.scene.with_phi(phi)
         twin = twin or self.twin
         rows = np.concatenate([compose_effects(twin, scene).change(scene[block]) for block in self._blocks])
-        return np.column_stack([np.interp(self._t, scene.t, channel) for channel in rows.T])
+        return np.column_stack([np.interp(self.t, scene.t, channel) for channel in rows.T])
 
 
 def effects_on(recording: Recording, poses: Poses, segments: tuple[Segment, ...], twin: Twin, *, static: bool) -> TwinEffects:
@@ -104,6 +104,11 @@ class Corrected:
     accounted: tuple[str, ...]
     directions: Array
 
+    def without_share(self, effect: str) -> Corrected:
+        """The same where an effect is not the twin's, and nobody has to be told what it does."""
+        shares = tuple(share for share in self.shares if share.effect != effect)
+        return replace(self, shares=shares, accounted=tuple(name for name in self.accounted if name != effect))
+
     @property
     def covariance(self) -> Array:
         """(19, 19), of the fit with the uncertainty of the effects' parameters; what is not seen of the nuisances stands in `budget`."""
@@ -119,14 +124,22 @@ class Corrected:
 
 
 def fit_with_effects(
-    form: WeakForm, wrench: Array, noise: WrenchNoise, effects: TwinEffects | None, nuisances: Nuisances | None
+    form: WeakForm,
+    wrench: Array,
+    noise: WrenchNoise,
+    effects: TwinEffects | None,
+    nuisances: Nuisances | None,
+    found: Fit | None = None,
 ) -> Corrected:
     """Fits payload and offsets to a wrench (N, 6) in which a twin's effects show.
 
     The effects' parameters are taken as independent of the recording: identifying the very recording that they were fitted to counts its
     noise twice, on the safe side.
+
+    Args:
+        found: to begin with, where there is a fit already.
     """
-    found = fit(form, wrench, noise, nuisances)
+    found = found or fit(form, wrench, noise, nuisances)
     if effects is None or not effects.ids:
         return Corrected(found, np.zeros_like(wrench), (), (), np.zeros((OFFSET.stop, 0)))
     change = effects.change(found.phi)

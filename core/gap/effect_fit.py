@@ -12,9 +12,9 @@ import numpy as np
 
 from core.array import Array
 from core.effects.effect import Effect, Parameter
+from core.estimation.quadratic import find_bounded_minimum, inverse, solve_scaled
 from core.gap.clustered import enlarge_covariance
 from core.gap.problem import Problem
-from core.gap.quadratic import find_bounded_minimum, inverse, solve_scaled
 from core.gap.spared_noise import take_off_noise
 from core.gap.windows import PHI, Windows
 

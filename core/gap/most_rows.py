@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array
-from core.gap.quadratic import solve_scaled
+from core.estimation.quadratic import solve_scaled
 from core.gap.windows import Windows
 
 FREE = 1.0 / 3.0

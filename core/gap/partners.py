@@ -9,10 +9,10 @@ import numpy as np
 
 from core.array import Array
 from core.effects.effect import STAGES, Effect
+from core.estimation.quadratic import find_bounded_minimum
 from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import Task
 from core.gap.problem import Problem, parameters_of
-from core.gap.quadratic import find_bounded_minimum
 from core.gap.windows import Windows
 
 STARTS = 2

@@ -16,10 +16,10 @@ from core.effects.effect import Effect
 from core.effects.scene import PER_ROW, Scene
 from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import poses_of
+from core.estimation.quadratic import find_bounded_minimum, inverse
 from core.gap.basis import build_unchecked_basis
 from core.gap.effect_fit import EffectFit
 from core.gap.problem import STEP, Problem
-from core.gap.quadratic import find_bounded_minimum, inverse
 from core.gap.windows import OFFSET, Windows
 from core.payload.inertia import Motion
 from core.recording.recording import BETWEEN_RUNS_S, Recording

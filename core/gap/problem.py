@@ -14,7 +14,7 @@ import numpy as np
 from core.array import Array
 from core.effects.effect import STAGES, Effect, Parameter
 from core.effects.scene import Scene
-from core.gap.quadratic import find_bounded_minimum
+from core.estimation.quadratic import find_bounded_minimum
 from core.gap.windows import PHI, Windows
 
 PRIOR_WIDTH = 2.0

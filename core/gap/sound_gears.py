@@ -1,19 +1,12 @@
-"""Gears that give way as little as sound ones do. Every arm has them and nobody wants them named, but a wrist sensor feels the arm swing on
-them: where they show, they are a part of the nominal twin, like its other small imperfections."""
+"""Sound gears where they show: they are a part of the nominal twin then, like its other small imperfections."""
 
 from __future__ import annotations
 
 from copy import copy
-from dataclasses import replace
 
-import numpy as np
-
-from core.array import Array
 from core.effects.composition import Term
-from core.effects.effect import Parameter
 from core.effects.joint_elasticity import JointElasticity
-from core.effects.joint_error import joint_count
-from core.effects.scene import Scene
+from core.estimation.gears import SOFTEST_RAD_PER_NM, SoundGears
 from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import FitAll
 from core.gap.partners import add_effect, terms_of
@@ -21,28 +14,10 @@ from core.gap.weighing import find_left_share
 from core.gap.windows import Windows
 from core.words.message import Message
 
-SOFTEST_RAD_PER_NM, USUAL_RAD_PER_NM = 5e-5, 2e-5
-"""1 / (20 kN m/rad) and 1 / (50 kN m/rad), of a joint: a softer one is an effect and has to be named."""
-STARTS_RAD_PER_NM = (1e-5, 2e-5, 4e-5)
 SHOWN = 0.01
 """Share of the excess: where one effect leaves no more, nothing swings besides."""
 EXPLAIN = 0.5
 """They have to explain at least this share of what the best explanation without them leaves."""
-
-
-class SoundGears(JointElasticity):
-    """Elastic joints within what is sound."""
-
-    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """As of `JointElasticity`."""
-        *compliances, inertia, damping = super().parameters(scene)
-        bounded = (replace(each, upper=SOFTEST_RAD_PER_NM, scale=USUAL_RAD_PER_NM) for each in compliances)
-        return (*bounded, replace(inertia, lower=0.5, upper=1.5, scale=0.1), damping)
-
-    def starts(self, scene: Scene, residual: Array) -> list[Array]:  # noqa: ARG002 - as every effect
-        """All joints alike, hardly damped."""
-        n = joint_count(scene)
-        return [np.array([*[compliance] * n, 1.0, 0.1]) for compliance in STARTS_RAD_PER_NM]
 
 
 def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectFit], fit_all: FitAll) -> Term | None:

@@ -36,6 +36,7 @@ estimation-saturated = der Sensor stand am Ende seines Bereichs: { $channels }
 estimation-base-tilt = die Basis steht schief: { DEGREES($angle_rad, digits: 2) } Grad; berücksichtigt
 estimation-wrench-late = die Kraftmessung kommt gegen die Gelenke { MILLI($late_s, digits: 1) } ms (±{ MILLI($half_width_s, digits: 2) } ms, 95 %) zu spät; berücksichtigt
 estimation-wrench-early = die Kraftmessung kommt gegen die Gelenke { MILLI($early_s, digits: 1) } ms (±{ MILLI($half_width_s, digits: 2) } ms, 95 %) zu früh; berücksichtigt
+estimation-gears-accounted = der Arm schwingt auf seinen Getrieben, wie gesunde Arme es tun (weichstes Gelenk { FIXED($softest_nm_per_rad, digits: 0) } N m/rad); berücksichtigt
 estimation-drift-accounted = { $drift }; berücksichtigt
 estimation-drift = der Nullpunkt des Sensors wanderte: { $channels }
 estimation-no-drift = der Nullpunkt des Sensors wanderte nicht über sein Rauschen hinaus

@@ -40,6 +40,7 @@ estimation-saturated = the sensor reached the end of its range in { $channels }
 estimation-base-tilt = the base is not level: { DEGREES($angle_rad, digits: 2) } deg; taken into account
 estimation-wrench-late = the wrench is { MILLI($late_s, digits: 1) } ms late (±{ MILLI($half_width_s, digits: 2) } ms, 95 %) against the joints; taken into account
 estimation-wrench-early = the wrench is { MILLI($early_s, digits: 1) } ms early (±{ MILLI($half_width_s, digits: 2) } ms, 95 %) against the joints; taken into account
+estimation-gears-accounted = the arm swings on its gears as sound arms do (softest joint { FIXED($softest_nm_per_rad, digits: 0) } N m/rad); taken into account
 estimation-drift-accounted = { $drift }; taken into account
 estimation-drift = the sensor's offset drifted: { $channels }
 estimation-no-drift = no drift of the sensor's offset beyond its noise

@@ -14,15 +14,21 @@ from core.sessions.simulated import SimulatedSession
 from tests.core.gap.recorded_run import plan_of
 
 
-@pytest.mark.parametrize("stiffness_nm_per_rad", [30e3, 50e3])
-def test_the_payload_is_right_within_its_uncertainty(stiffness_nm_per_rad: float) -> None:
-    cell, plan = plan_of("ur5e_line", "steel_block")
-    carried = cell.payloads["steel_block"]
+@pytest.mark.parametrize("payload", ["steel_block", "cylinder"])
+@pytest.mark.parametrize("stiffness_nm_per_rad", [24e3, 50e3])
+def test_the_payload_is_right_within_its_uncertainty(payload: str, stiffness_nm_per_rad: float) -> None:
+    cell, plan = plan_of("ur5e_line", payload)
+    carried = cell.payloads[payload]
     springs = ElasticJoints((stiffness_nm_per_rad,) * 6)
     session = SimulatedSession(cell, carried.parameters, seed=2, faults=(springs,), drives=Drives(damping_s=0.0, friction=0.0))
-    found = identify_recording(drive(record(cell, session, carried.box, plan, payload="steel_block"))).estimate
+    answer = identify_recording(drive(record(cell, session, carried.box, plan, payload=payload)))
+    found = answer.estimate
     assert found is not None
     assert found.determined.all()
-    assert found.phi[0] == pytest.approx(2.783, rel=0.005)
+    assert found.phi[0] == pytest.approx(carried.parameters.mass, rel=0.005)
     away = (found.phi - carried.parameters.phi) / np.sqrt(np.diag(found.covariance))
     assert np.abs(away).max() < 2.5
+    said = {warning.code for warning in answer.warnings}
+    assert "estimation-gears-accounted" in said
+    assert not said & {"estimation-base-tilt", "estimation-drift-accounted"}
+    assert answer.accounted == ()  # that is the twin's

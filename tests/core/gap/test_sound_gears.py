@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from core.effects.library import library
+from core.estimation.gears import SOFTEST_RAD_PER_NM
 from core.events import drive
 from core.gap.basis import basis_of
 from core.gap.closure import gap_of
 from core.gap.diagnosis import examine
 from core.gap.effect_fit import fit_nominal
 from core.gap.evidence import Evidence
-from core.gap.sound_gears import SOFTEST_RAD_PER_NM
 from core.gap.windows import Windows
 from core.plant.faults import Fault
 from core.plant.faults.joint_springs import ElasticJoints

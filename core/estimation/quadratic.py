@@ -61,9 +61,9 @@ def _put_on_bounds(x: Array, below: Bools, above: Bools, bounds: Array) -> Array
 
 
 def solve_scaled(matrix: Array, right: Array) -> Array:
-    """Solution of a symmetric positive definite system."""
+    """Solution (n,) or (n, k) of a symmetric positive definite system."""
     scale = 1.0 / np.sqrt(np.maximum(np.diag(matrix), 1e-300))
-    return np.asarray(np.linalg.solve(matrix * np.outer(scale, scale), right * scale) * scale)
+    return np.asarray((np.linalg.solve(matrix * np.outer(scale, scale), (right.T * scale).T).T * scale).T)
 
 
 def inverse(matrix: Array) -> Array:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.optimize import lsq_linear
 
 from core.array import Array
-from core.gap.quadratic import find_bounded_minimum
+from core.estimation.quadratic import find_bounded_minimum
 
 
 def problem(seed: int, n: int) -> tuple[Array, Array, Array]:
