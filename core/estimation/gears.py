@@ -64,8 +64,8 @@ def find_gears(poses: Poses, wrench: Array, found: Fit, effects: TwinEffects) ->
     gears = SoundGears()
     if (found.scale == 1.0).all() or NAME in effects.ids or gears.explain_lack(effects.scene) is not None:
         return None
-    if not find_determined(found.phi, np.sqrt(np.diag(found.covariance)[:10]))[0]:
-        return None
+    if not find_determined(found.phi, np.sqrt(np.diag(found.covariance)[:10])).all():
+        return None  # with an inertia that nothing excites they would swing as noise has it
     every = max(1, int(effects.scene.period / poses.period + 0.01))  # faster samples tell no more of what is that slow
     form, wrench = WeakForm(poses.every(every)), wrench[::every]
     effects = TwinEffects(effects.twin, effects.scene, effects.t[::every], static=False)
