@@ -62,6 +62,11 @@ class Fit:
         return self.x[:10]
 
     @property
+    def misfit(self) -> float:
+        """Mean square of the residuals over their noise, 1 when the model holds."""
+        return float((np.square(self.whitened).mean(axis=1) * self.scale).mean())
+
+    @property
     def b(self) -> Array:
         """(b,), nuisances in units of their standard uncertainty."""
         return self.x[OFFSET.stop :]

@@ -115,13 +115,15 @@ def _identify_by_wrench(recording: Recording, wrench: Array, twin: Twin) -> Iden
     effects = effects_on(recording, poses, segments, twin, static=static) if twin.effects else None
     nuisances = nuisances_of(recording, poses.joints, twin)
     corrected = fit_with_effects(form, wrench, noise or unknown_noise(), effects, nuisances)
-    gears = None
+    swings: tuple[Message, ...] = ()
     if noise is not None and not rows_only and (corrected.found.scale > 1.0).any():
         along = effects or effects_on(recording, poses, segments, twin, static=False)
         gears = find_gears(poses, wrench, corrected.found, along)
         if gears is not None:
             along = TwinEffects(twin.with_entry(gears), along.scene, recording.t, static=False)
-            corrected = fit_with_effects(form, wrench, noise, along, nuisances, corrected.found).without_share(gears.effect)
+            swinging = fit_with_effects(form, wrench, noise, along, nuisances, corrected.found).without_share(gears.effect)
+            if swinging.found.converged and swinging.found.misfit < corrected.found.misfit:
+                corrected, swings = swinging, (describe_gears(gears),)
     del form  # of a long recording it is the largest thing there is
     found, change = corrected.found, corrected.change
     turned = None if recording.phase is None else "".join(sorted({part.axis or "" for part in segments if part.phase.startswith("rotate")}))
@@ -131,7 +133,6 @@ def _identify_by_wrench(recording: Recording, wrench: Array, twin: Twin) -> Iden
     said = warnings_of(recording, estimate, found, static=rows_only)
     left_out = () if effects is None else _warn_of_effects_left_out(effects)
     lacking = (Message.of("estimation-motion-broken"),) if broken else ()
-    swings = () if gears is None else (describe_gears(gears),)
     warnings = (*setup.remarks, *lacking, *swings, *said, *on_transfers_alone(estimate, turned), *left_out)
     verdict = verdict_of(estimate, static=rows_only)
     answer = Identification(paper, estimate, verdict, warnings, segments, accounted=corrected.accounted, shares=corrected.shares)
