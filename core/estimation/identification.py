@@ -45,6 +45,8 @@ Bools = NDArray[np.bool_]
 SMOOTHING_S = 0.05
 """Window of the local cubics behind segments and charts."""
 FEWEST_ROWS = 6
+LONGEST_SWINGING_S = 200.0
+"""Beyond it gears are not sought: what they do to every sample would not fit into the memory that an identification may take."""
 KNOWN_SHARE = 0.5
 """A tilt or delay whose uncertainty is above this share of its prior is not reported."""
 
@@ -116,7 +118,8 @@ def _identify_by_wrench(recording: Recording, wrench: Array, twin: Twin) -> Iden
     nuisances = nuisances_of(recording, poses.joints, twin)
     corrected = fit_with_effects(form, wrench, noise or unknown_noise(), effects, nuisances)
     swings: tuple[Message, ...] = ()
-    if noise is not None and not rows_only and (corrected.found.scale > 1.0).any():
+    short = float(np.ptp(recording.t)) < LONGEST_SWINGING_S
+    if noise is not None and not rows_only and short and (corrected.found.scale > 1.0).any():
         along = effects or effects_on(recording, poses, segments, twin, static=False)
         gears = find_gears(poses, wrench, corrected.found, along)
         if gears is not None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import lsq_linear
 
 from core.array import Array
 
@@ -42,6 +41,8 @@ def find_bounded_minimum(normal: Array, right: Array, bounds: Array) -> Array:
 
 
 def _search_active_sets(A: Array, b: Array, bounds: Array, scale: Array) -> Array:
+    from scipy.optimize import lsq_linear  # noqa: PLC0415  hardly ever asked, and slow to load
+
     values, vectors = np.linalg.eigh(A)
     root = np.sqrt(np.maximum(values, LEAST_EIGENVALUE * values[-1]))
     found = lsq_linear(
