@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from scipy.sparse import csr_array
 
 from core.array import Array
 from core.effects.effect import Finding, Parameter, Symptom, View
@@ -15,7 +16,7 @@ from core.gap.answer import Also, Value
 from core.gap.effect_fit import EffectFit
 from core.gap.materiality import is_doubtful
 from core.gap.problem import Problem
-from core.gap.windows import Windows, window_rows
+from core.gap.windows import Basis, Rows, Windows, window_rows
 from core.recording.recording import Recording
 from core.words.message import Message
 
@@ -59,13 +60,23 @@ def observe_symptoms(recording: Recording, windows: Windows, nominal: EffectFit,
 def _look_finely(windows: Windows, fit: EffectFit) -> tuple[Array, Array, Array]:
     """Times (K,), what a fit leaves of the wrench (K, 6) and what it expects, N and N m, in finer windows than it was fitted in."""
     basis = windows.basis
-    if basis.scene.apart or basis.rows.at_rest:
+    if basis.scene.apart:
         left = windows.unwhiten(fit.residual)
         return windows.centres, left, windows.unwhiten(windows.target) - left
-    fine = Windows(replace(basis, rows=window_rows(basis.poses, basis.scene.t, basis.rows.every, FINE_S)), windows.held)
+    fine = Windows(replace(basis, rows=_refine(basis, windows.centres)), windows.held)
     change = fine.rows_of([Problem(fine, fit.effects).change(fit.theta, basis.scene.with_phi(fit.phi))])[..., 0]
     left = fine.unwhiten(fine.target - fine.X @ fit.beta - change)
     return fine.centres, left, fine.y - left
+
+
+def _refine(basis: Basis, centres: Array) -> Rows:
+    """Finer windows where those at `centres` (K,) are, each of the stretch of the one that it is nearest to."""
+    rows = window_rows(basis.poses, basis.scene.t, basis.rows.every, FINE_S)
+    after = np.clip(np.searchsorted(centres, rows.centres), 1, len(centres) - 1)
+    nearest = after - (rows.centres - centres[after - 1] < centres[after] - rows.centres)
+    kept = np.flatnonzero(np.abs(rows.centres - centres[nearest]) <= basis.rows.step)
+    stretch = basis.rows.part[nearest[kept]]
+    return Rows(rows.centres[kept], rows.step, csr_array(rows.average[kept]), stretch, rows.every, basis.rows.at_rest)
 
 
 def observe_joints(recording: Recording) -> list[Also]:

@@ -9,8 +9,12 @@ import pytest
 
 from bench.diagnosis_elsewhere import make
 from core.effects.library import library
+from core.gap.basis import basis_of
 from core.gap.diagnosis import examine
+from core.gap.effect_fit import fit_nominal
 from core.gap.fit_all import one_by_one
+from core.gap.symptoms import observe_symptoms
+from core.gap.windows import Windows
 from tests.synthetic import Run, payload, record, run_of
 
 SWINGS = ("payload_loose", "tool_flexibility")
@@ -57,3 +61,15 @@ def test_a_line_of_the_mains_is_no_vibration(run: Run) -> None:
     line = np.outer(np.sin(2.0 * np.pi * 11.0 * run.t), [0.4, 0.0, 0.0, 0.0, 0.02, 0.0])
     diagnosis, _ = examine(replace(recording, wrench=recording.wrench + line), [], fit_all=one_by_one)
     assert [each.id for each in diagnosis.also if each.material] == ["sensor_interference"]
+
+
+def test_a_stretch_between_two_pauses_that_holds_no_windows_of_the_fit_is_looked_at_by_nobody() -> None:
+    run = run_of("lwr4_bench", 0, repetitions=1)
+    whole = record(run, payload("steel_block"), np.random.default_rng(0))
+    row, count = np.arange(len(whole)), len(whole)
+    rows = np.flatnonzero((row < 0.5 * count) | ((row > 0.6 * count) & (row < 0.6 * count + 700)) | (row > 0.7 * count))
+    assert whole.wrench is not None and whole.q is not None and whole.phase is not None
+    recording = replace(whole, t=whole.t[rows], wrench=whole.wrench[rows], q=whole.q[rows], phase=whole.phase[rows])
+    windows = Windows(basis_of(recording))
+    nominal = fit_nominal(windows)
+    assert not [each for each in observe_symptoms(recording, windows, nominal, nominal, nominal) if each.material]
