@@ -14,6 +14,7 @@ from functools import cache
 import numpy as np
 from threadpoolctl import threadpool_limits
 
+from bench.conditions import INTERVAL
 from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
 from core.estimation.identification import identify_recording
@@ -28,12 +29,11 @@ from core.trial.draw import CELLS
 
 SOFTEST, STIFFEST = 22e3, 60e3
 """N m/rad."""
-WITHIN = 1.96
 
 
 @cache
 def planned(name: str) -> tuple[Cell, dict[str, Plan]]:
-    """Both once in a process."""
+    """A cell, and a plan for each payload; once in a process."""
     return load_cell(find_cell(name)), plan_each_payload(name)[1]
 
 
@@ -51,8 +51,8 @@ def run(seed: int) -> tuple[str, float, int, float]:
         found = identify_recording(drive(record(cell, session, carried.box, plans[payload], payload=payload))).estimate
     if found is None:
         raise RuntimeError(f"seed {seed}: nothing identified")
-    away = np.abs(found.phi - carried.parameters.phi) / np.sqrt(np.diag(found.covariance))
-    outside = int((away > WITHIN).sum())  # what is not determined has no interval
+    away = np.abs(found.phi - carried.parameters.phi) / found.std
+    outside = int((away > INTERVAL).sum())  # what is not determined has no interval
     return f"{name} {payload}", float(found.phi[0] / carried.parameters.mass - 1.0), outside, float(springs.min())
 
 

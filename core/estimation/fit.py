@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -83,3 +84,19 @@ class Fit:
         groups = () if self.nuisances is None else self.nuisances.groups
         sources = (Source(group.name, group.stated, self.directions[:, group.rows]) for group in groups)
         return Budget(self.repeatability, tuple(sources))
+
+
+class Beside(NamedTuple):
+    """A fit whose weights are known, and what k further columns of the wrench would explain beside it.
+
+    Args:
+        x: (19 + b,), its unknowns. chi_square: of its residual; cost: the same with the priors. rows: how many equations there are.
+        normal, right: (k, k) and (k,), equations of the columns' sizes, as far as the unknowns cannot follow them.
+    """
+
+    x: Array
+    chi_square: float
+    cost: float
+    rows: int
+    normal: Array
+    right: Array

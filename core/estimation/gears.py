@@ -17,11 +17,11 @@ from core.effects.joint_elasticity import JointElasticity
 from core.effects.joint_error import joint_count
 from core.effects.scene import Scene
 from core.estimation.determination import find_determined
-from core.estimation.fit import Fit
-from core.estimation.generalised_least_squares import Beside, look_beside
+from core.estimation.fit import Beside, Fit
+from core.estimation.generalised_least_squares import look_beside
 from core.estimation.kinematics import Poses
 from core.estimation.nuisances import LEAST_STRENGTH
-from core.estimation.quadratic import find_bounded_minimum, inverse
+from core.estimation.quadratic import descend, inverse
 from core.estimation.twin_effects import TwinEffects
 from core.estimation.weak_form import WeakForm
 from core.twin.twin import Entry, Fitted
@@ -32,6 +32,7 @@ SOFTEST_RAD_PER_NM, USUAL_RAD_PER_NM = 5e-5, 2e-5
 STARTS_RAD_PER_NM = (1e-5, 2e-5, 4e-5)
 NAME = JointElasticity.id
 STEPS = 8
+"""Looks at parameters, at most."""
 STEP = 0.02
 """Of numerical derivatives, in plausible sizes."""
 SETTLED = 1e-3
@@ -56,13 +57,13 @@ class SoundGears(JointElasticity):
 
 
 def find_gears(poses: Poses, wrench: Array, found: Fit, effects: TwinEffects) -> Entry | None:
-    """The gears that explain most of what a fit to the wrench (N, 6) leaves over; None where they do not, or nothing is left over.
+    """The gears that explain most of what a fit to the wrench (N, 6) leaves over beyond the noise; None where they do not.
 
     Args:
         effects: of the cell's twin along the recording; one that states the gears itself keeps them.
     """
     gears = SoundGears()
-    if (found.scale == 1.0).all() or NAME in effects.ids or gears.explain_lack(effects.scene) is not None:
+    if NAME in effects.ids or gears.explain_lack(effects.scene) is not None:
         return None
     if not find_determined(found.phi, np.sqrt(np.diag(found.covariance)[:10])).all():
         return None  # with an inertia that nothing excites they would swing as noise has it
@@ -70,51 +71,31 @@ def find_gears(poses: Poses, wrench: Array, found: Fit, effects: TwinEffects) ->
     form, wrench = WeakForm(poses.every(every)), wrench[::every]
     effects = TwinEffects(effects.twin, effects.scene, effects.t[::every], static=False)
     parameters = gears.parameters(effects.scene)
+    absent, scale, lower, upper = (np.array([getattr(p, name) for p in parameters]) for name in ("absent", "scale", "lower", "upper"))
     start = replace(found, scale=np.ones(6), strength=np.full_like(found.strength, LEAST_STRENGTH))
+
+    def look(theta: Array, best: Beside | None) -> Beside:
+        fit, away = start if best is None else replace(start, x=best.x), (theta - absent) / scale
+        here = _change(effects, fit.phi, parameters, theta)
+        ways = np.diag(np.where(theta + STEP * scale <= upper, STEP, -STEP) * scale)
+        columns = [(_change(effects, fit.phi, parameters, theta + way) - here) / way.sum() for way in ways]
+        at = look_beside(form, wrench - here, fit, columns)
+        return at._replace(cost=at.cost + float(away @ away), normal=at.normal + np.diag(scale**-2.0), right=at.right - away / scale)
+
     without = look_beside(form, wrench - effects.change(found.phi), start)
     thetas = gears.starts(effects.scene, np.zeros((0, 6)))
-    looks = [look_beside(form, wrench - _change(effects, found.phi, parameters, theta), start) for theta in thetas]
-    k = int(np.argmin([look.cost for look in looks]))
-    theta, at = _descend(form, wrench, start, effects, parameters, thetas[k])
+    nearest = min(thetas, key=lambda theta: look_beside(form, wrench - _change(effects, found.phi, parameters, theta), start).cost)
+    theta, at = descend(look, nearest, np.stack((lower, upper)), steps=STEPS, settled=SETTLED)
     left, beyond = at.chi_square / at.rows, max(0.0, without.chi_square / without.rows - 1.0)
     if left - 1.0 > EXPLAIN * beyond or not theta[: joint_count(effects.scene)].any():
         return None
-    scale = np.array([p.scale for p in parameters])
-    return _entry(parameters, theta, inverse(at.normal + np.diag(scale**-2.0)) * max(1.0, left))
+    return _entry(parameters, theta, inverse(at.normal) * max(1.0, left))
 
 
 def describe_gears(gears: Entry) -> Message:
     """What is said of them: the softest joint, N m/rad."""
     softest = max(p.value for name, p in gears.parameters.items() if name.endswith("_rad_per_nm"))
     return Message.of("estimation-gears-accounted", softest_nm_per_rad=round(1.0 / softest, -3))
-
-
-def _descend(
-    form: WeakForm, wrench: Array, found: Fit, effects: TwinEffects, parameters: tuple[Parameter, ...], theta: Array
-) -> tuple[Array, Beside]:
-    """Parameters (n,) of the least cost, payload and offsets along with them (Gauss-Newton, halved where it goes too far)."""
-    absent, scale, *limits = (np.array([getattr(p, name) for p in parameters]) for name in ("absent", "scale", "lower", "upper"))
-    bounds, step, best = np.stack(limits), np.zeros(len(theta)), None
-    for _ in range(STEPS):
-        trial = np.clip(theta + step, *bounds)
-        here = _change(effects, found.phi, parameters, trial)
-        ways = np.where(trial + STEP * scale <= bounds[1], STEP, -STEP) * scale
-        moved = [
-            (_change(effects, found.phi, parameters, trial + way * e) - here) / way for way, e in zip(ways, np.eye(len(ways)), strict=True)
-        ]
-        at = look_beside(form, wrench - here, found, moved)
-        cost = at.cost + float(np.square((trial - absent) / scale).sum())
-        if best is not None and cost >= best[0]:
-            step = 0.5 * step
-            continue
-        done = best is not None and best[0] - cost < SETTLED * cost
-        best, theta, found = (cost, at), trial, replace(found, x=at.x)
-        if done:
-            break
-        right = at.right - (theta - absent) / scale**2
-        step = find_bounded_minimum(at.normal + np.diag(scale**-2.0), right, bounds - theta)
-    assert best is not None
-    return theta, best[1]
 
 
 def _change(effects: TwinEffects, phi: Array, parameters: tuple[Parameter, ...], theta: Array) -> Array:

@@ -17,7 +17,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +24,7 @@ from numpy.typing import NDArray
 from core.array import Array
 from core.estimation.determination import SIZE_M, find_determined
 from core.estimation.drift import Levelled, begin_search, drift_in, level_offsets
-from core.estimation.fit import DELAY, OFFSET, SHARED, TILT, Fit
+from core.estimation.fit import DELAY, OFFSET, SHARED, TILT, Beside, Fit
 from core.estimation.noise import WrenchNoise, find_noise_factor
 from core.estimation.noisy_columns import NoiseOfColumns, Solution, compensate
 from core.estimation.nuisances import (
@@ -96,22 +95,6 @@ def fit_like(form: WeakForm, wrench: Array, found: Fit) -> Fit:
     for _ in range(STEPS_AGAIN):
         covariance, x = problem.step(x, found.scale)
     return replace(problem.result(x, covariance, converged=True), scale=found.scale)
-
-
-class Beside(NamedTuple):
-    """A fit whose weights are known, and what k further columns of the wrench would explain beside it.
-
-    Args:
-        x: (19 + b,), its unknowns. chi_square: of its residual; cost: the same with the priors. rows: how many equations there are.
-        normal, right: (k, k) and (k,), equations of the columns' sizes, as far as the unknowns cannot follow them.
-    """
-
-    x: Array
-    chi_square: float
-    cost: float
-    rows: int
-    normal: Array
-    right: Array
 
 
 def look_beside(form: WeakForm, wrench: Array, found: Fit, columns: Sequence[Array] = ()) -> Beside:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import NamedTuple, Protocol, TypeVar
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -13,6 +16,50 @@ EXCHANGES = 12
 """Of what is held at its bounds, before it is taken to go round in circles."""
 LEAST_EIGENVALUE = 1e-15
 """Of the scaled matrix, relative to the largest; what is smaller is rounding."""
+
+
+class Linearised(Protocol):
+    """A sum of squares at some x (n,): half its second derivatives (n, n), and half its slope downhill (n,)."""
+
+    @property
+    def cost(self) -> float: ...
+    @property
+    def normal(self) -> Array: ...
+    @property
+    def right(self) -> Array: ...
+
+
+class Quadratic(NamedTuple):
+    """The same in numbers."""
+
+    cost: float
+    normal: Array
+    right: Array
+
+
+Look = TypeVar("Look", bound=Linearised)
+
+
+def descend(look: Callable[[Array, Look | None], Look], x: Array, bounds: Array, *, steps: int, settled: float) -> tuple[Array, Look]:
+    """The x (n,) within bounds (2, n) at which a sum of squares is least (Gauss-Newton; a step that goes too far is halved), and the look
+    there.
+
+    Args:
+        look: at some x; it is given the best look so far.
+        steps: looks, at most. settled: share of the cost by which it still falls where the search is done.
+    """
+    best = look(x, None)
+    step = find_bounded_minimum(best.normal, best.right, bounds - x)
+    for _ in range(steps - 1):
+        at = look(np.clip(x + step, *bounds), best)
+        if at.cost >= best.cost:
+            step = 0.5 * step
+            continue
+        fell, x, best = best.cost - at.cost, np.clip(x + step, *bounds), at
+        if fell < settled * at.cost:
+            break
+        step = find_bounded_minimum(best.normal, best.right, bounds - x)
+    return x, best
 
 
 def find_bounded_minimum(normal: Array, right: Array, bounds: Array) -> Array:

@@ -16,7 +16,7 @@ from core.effects.effect import Effect
 from core.effects.scene import PER_ROW, Scene
 from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import poses_of
-from core.estimation.quadratic import find_bounded_minimum, inverse
+from core.estimation.quadratic import Quadratic, descend, inverse
 from core.gap.basis import build_unchecked_basis
 from core.gap.effect_fit import EffectFit
 from core.gap.problem import STEP, Problem
@@ -25,6 +25,7 @@ from core.payload.inertia import Motion
 from core.recording.recording import BETWEEN_RUNS_S, Recording
 
 STEPS = 8
+"""Looks at parameters, at most."""
 SETTLED = 0.01
 """Share of the cost by which it still falls where it is done."""
 
@@ -72,20 +73,16 @@ class Prediction:
         bounds = np.stack((np.minimum(bounds[0], 0.0), np.maximum(bounds[1], 0.0)))
         precision = np.eye(len(here) + 6)
         precision[: len(here), : len(here)] = inverse(fit.covariance)
-        x, step, least = np.zeros(len(precision)), np.zeros(len(precision)), np.inf
-        for _ in range(STEPS):
-            at, moved = x + step, here + (x + step)[: len(here)]
-            predicted, columns = self._rows(replace(fit, beta=moved[: len(fit.beta)], theta=moved[len(fit.beta) :]))
-            r = rows - predicted - columns[:, len(here) :] @ at[len(here) :]
-            cost = float(r @ r + at @ precision @ at)
-            if cost > least:
-                step *= 0.5
-                continue
-            fell, x, least = least - cost, at, cost
-            if fell < SETTLED * cost:
-                break
-            step = find_bounded_minimum(columns.T @ columns + precision, columns.T @ r - precision @ x, bounds - x)
-        return float(np.sqrt(least))
+
+        def look(x: Array, _: Quadratic | None) -> Quadratic:
+            moved, offsets = np.split(here + x[: len(here)], [len(fit.beta)]), x[len(here) :]
+            predicted, columns = self._rows(replace(fit, beta=moved[0], theta=moved[1]))
+            r = rows - predicted - columns[:, len(here) :] @ offsets
+            cost = float(r @ r + x @ precision @ x)
+            return Quadratic(cost, columns.T @ columns + precision, columns.T @ r - precision @ x)
+
+        _, best = descend(look, np.zeros(len(precision)), bounds, steps=STEPS, settled=SETTLED)
+        return float(np.sqrt(best.cost))
 
     def _rows(self, fit: EffectFit) -> tuple[Array, Array]:
         """What a fit predicts (6K,), and how that depends on all its parameters and on new offsets (6K, n)."""

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.optimize import lsq_linear
+from scipy.optimize import least_squares, lsq_linear
 
 from core.array import Array
-from core.estimation.quadratic import find_bounded_minimum
+from core.estimation.quadratic import Quadratic, descend, find_bounded_minimum
 
 
 def problem(seed: int, n: int) -> tuple[Array, Array, Array]:
@@ -76,3 +76,19 @@ def test_what_a_bound_holds_is_exactly_there_and_what_lies_between_bounds_is_fre
     slope = (A.T @ (A @ x - b)) / np.linalg.norm(A, axis=0)
     between = (x > bounds[0]) & (x < bounds[1])
     assert np.abs(slope[between]).max(initial=0.0) < 1e-6 * np.linalg.norm(b)
+
+
+def test_a_bent_valley_is_descended_to_where_a_search_by_trust_regions_ends() -> None:
+    def residual(x: np.ndarray) -> np.ndarray:
+        return np.array([10.0 * (x[1] - x[0] ** 2), 1.0 - x[0]])
+
+    def look(x: np.ndarray, best: Quadratic | None) -> Quadratic:
+        assert best is None or best.cost >= 0.0
+        r, J = residual(x), np.array([[-20.0 * x[0], 10.0], [-1.0, 0.0]])
+        return Quadratic(float(r @ r), J.T @ J, -J.T @ r)
+
+    bounds = np.array([[-2.0, -1.0], [0.6, 2.0]])  # the least of all is at (1, 1)
+    found, best = descend(look, np.array([-1.2, 1.0]), bounds, steps=200, settled=1e-12)
+    expected = least_squares(residual, [-1.2, 1.0], bounds=tuple(bounds), xtol=1e-14, ftol=1e-14, gtol=1e-14)
+    np.testing.assert_allclose(found, expected.x, atol=1e-6)
+    assert best.cost == pytest.approx(2.0 * expected.cost, rel=1e-6)
