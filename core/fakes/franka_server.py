@@ -44,8 +44,6 @@ class FrankaServer(PacedServer):
     def __init__(self, arm: FrankaArm, host: str = "127.0.0.1", *, port: int = PORT, patience_s: float | None = None) -> None:
         super().__init__(host, arm.period, patience_s)
         self.arm, self._port = arm, port
-        self.deaf = False
-        """Whether commands get lost on the way, while states arrive."""
         self._states = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._client: socket.socket | None = None
         self._to: tuple[str, int] | None = None
@@ -125,9 +123,9 @@ class FrankaServer(PacedServer):
         self._tell_end()
 
     def _report(self, now: float) -> None:
+        self._await_answer(now)
         if self._to is not None:
             self._post_datagram(self._states, self.arm.state(), now)
-        self._await_answer(now)
 
     def _expects_answers(self) -> bool:
         return self.arm.obeys and self._client is not None
@@ -141,7 +139,7 @@ class FrankaServer(PacedServer):
             data = line.recv(2048)
         except OSError:  # nobody listens at the other end
             return
-        if self.cut or self.deaf or self._random.random() < self.loss:
+        if self.cut or self._loses_answer():
             return
         order = read_order(data, self.arm.version)
         if order is not None and self.arm.take(order):

@@ -28,8 +28,6 @@ class FriServer(PacedServer):
     ) -> None:
         super().__init__(host, arm.period, patience_s)
         self.arm, self._client = arm, (client, port)
-        self.deaf = False
-        """Whether answers get lost on the way, while messages arrive."""
         self._line = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._heard = False
 
@@ -51,8 +49,8 @@ class FriServer(PacedServer):
         return self._heard
 
     def _report(self, now: float) -> None:
-        self._post_datagram(self._line, self.arm.message(), now)
         self._await_answer(now)
+        self._post_datagram(self._line, self.arm.message(), now)
 
     def _forget(self, line: socket.socket) -> None:
         del line  # there is one only
@@ -65,7 +63,7 @@ class FriServer(PacedServer):
         except OSError:  # nobody listens at the other end
             self._heard = False
             return
-        if self.cut or self.deaf or self._random.random() < self.loss:
+        if self.cut or self._loses_answer():
             return
         new = self.arm.take(data)
         self._heard = True

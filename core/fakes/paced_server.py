@@ -28,8 +28,8 @@ class PacedServer(ABC):
 
     def __init__(self, host: str, period: float, patience_s: float | None) -> None:
         self.host, self.patience_s = host, patience_s
-        self.cut = False
-        """Nothing passes in either direction while it is set, and no connection is closed."""
+        self.cut = self.deaf = False
+        """Nothing passes in either direction while it is set, or no datagram from the client; no connection is closed."""
         self.jitter_s = self.loss = 0.0
         """Largest delay of each package to the client, and the share of packages that have to be sent again."""
         self.latencies_s: list[float] = []
@@ -108,6 +108,13 @@ class PacedServer(ABC):
             self.latencies_s.append(time.monotonic() - self._sent_at)
         self._answered, self._silent = True, False
 
+    def _loses_answer(self) -> bool:
+        """Whether an answer that has come gets lost on its way. It is not waited for: whoever is patient waits for a busy client alone."""
+        lost = self.deaf or self._random.random() < self.loss
+        if lost:
+            self._take_answer(new=False)
+        return lost
+
     def _wait(self, due: float) -> float:
         """Takes what comes until the next period begins; gives when it did. A period that begins late puts off all that follow."""
         self._look(0.0)
@@ -140,8 +147,11 @@ class PacedServer(ABC):
             self._send(line, data)
 
     def _post_datagram(self, line: socket.socket, data: bytes, now: float) -> None:
-        """Sends a datagram, as late as the line is; what gets lost is not sent again, and nothing overtakes."""
-        if self.cut or self._random.random() < self.loss:
+        """Sends a datagram, as late as the line is; what gets lost is not sent again or answered, and nothing overtakes."""
+        if self.cut:
+            return
+        if self._random.random() < self.loss:
+            self._answered = True
             return
         if self.jitter_s > 0.0:
             behind = max([at for at, _, _ in self._delayed], default=0.0)

@@ -87,7 +87,7 @@ class Client:
 
 
 @contextmanager
-def connect(version: int = 10, *, patience_s: float | None = 1.0) -> Iterator[tuple[FrankaServer, Client]]:
+def connect(version: int = 10, *, patience_s: float = 20.0) -> Iterator[tuple[FrankaServer, Client]]:
     port = next(PORTS)
     with FrankaServer(FrankaArm(CELL, seed=2, version=version), HOST, port=port, patience_s=patience_s) as server:
         client = Client(version, port)
@@ -99,8 +99,12 @@ def connect(version: int = 10, *, patience_s: float | None = 1.0) -> Iterator[tu
 
 
 def follow(client: Client, steps: int, ahead=lambda _: 0.0) -> Told:
-    """Sends where the controller says it is, and `ahead(k)` more at every joint; gives the last state."""
-    told = client.hear()
+    """Sends where the controller says it is, and `ahead(k)` more at every joint; gives the last state.
+
+    It begins with the first state of the motion, whose answer is waited for: those before may have been lying here.
+    """
+    while (told := client.hear()).mode != 2:
+        pass
     begin = told["q_d"]
     for k in range(steps):
         client.command(told, begin + ahead(k))

@@ -135,7 +135,6 @@ def disturb(bench, what):
     ],
 )
 def test_what_the_controller_the_line_or_somebody_else_does_ends_the_motion_with_a_reason(bench, what, says):
-    bench.server.patience_s = 0.05 if what in {"deaf", "poor"} else PATIENCE_S
     with pytest.raises(ControllerStopped, match=says) as raised, bench.alone() as session:
         move(session, bench.cell, seconds=0.2)
         bench.server.order(lambda: disturb(bench, what))
