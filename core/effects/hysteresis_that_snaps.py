@@ -17,8 +17,10 @@ from core.payload.channels import CHANNELS
 from core.payload.inertia import regressor
 from core.words.message import Message
 
-HOLDS = np.geomspace(0.003, 0.6, 80)
-"""Shares of a channel's whole change of load that may be held back, looked at before a fit."""
+MOST_SHARE = 0.5
+"""Share of a channel's whole change of load that may be held back: with more it might never snap, and be a gain of that channel."""
+HOLDS = np.geomspace(0.003, MOST_SHARE, 80)
+"""Shares of it looked at before a fit."""
 RESTS = (0.0, 0.3)
 """Shares of it that a snap may leave."""
 SEEN = 0.01
@@ -39,7 +41,8 @@ class HysteresisThatSnaps(SensorHysteresis):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w - s (w - a)` in each channel that holds anything back."""
-        return np.asarray(w - theta[:6] * (w - _stick(np.ascontiguousarray(w), np.exp(theta[6:12]) * full_scale(scene, w), theta[12])))
+        most = np.minimum(np.exp(theta[6:12]) * full_scale(scene, w), MOST_SHARE * np.ptp(w, axis=0))
+        return np.asarray(w - theta[:6] * (w - _stick(np.ascontiguousarray(w), most, theta[12])))
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """Where it sticks depends on what was before."""
