@@ -54,3 +54,18 @@ def test_an_effect_that_snaps_at_noise_pays_for_what_that_excuses() -> None:
         told = take_off_noise(held_out, problem, holds_most_back, nominal.beta)
         assert (told > 1.0 + np.log(left) - 1e-9).all()  # the least that the best variance for such a residual costs
         assert told.sum() < 0.9 * held_out.sum() or left == 1.0
+
+
+def test_noise_does_not_excuse_what_is_far_beyond_it() -> None:
+    run = run_of("lwr4_bench", 0, repetitions=1)
+    recording = record(run, payload("steel_block"), np.random.default_rng(0), Imperfections(encoder_std=2e-6))
+    windows = Windows(basis_of(recording))
+    nominal, snaps = fit_nominal(windows), HysteresisThatSnaps()
+    holds_most_back = np.concatenate((np.full(6, 0.9), np.full(6, np.log(0.01)), [0.0]))
+    some, most = (
+        take_off_noise(np.full(windows.target.shape, left), Problem(windows, (snaps,)), holds_most_back, nominal.beta)
+        for left in (1e2, 1e8)
+    )
+    assert most.mean() > 0.99e8
+    assert some.min() < 50.0  # of a hundred, where noise makes much
+    assert (np.diff([some, most], axis=0) > 0.0).all()

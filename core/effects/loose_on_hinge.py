@@ -1,0 +1,125 @@
+"""A part of the payload turns on a hinge and hangs with its heavy side down: a lid, a handle, a reel or a roller that is not balanced."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+from core.array import Array
+from core.effects.effect import Parameter
+from core.effects.hanging import GRAVITY
+from core.effects.payload_loose import PayloadLoose
+from core.effects.rigid_body import centre_of_mass
+from core.effects.scene import Scene
+from core.effects.vectors import add_force, find_specific_force, load_of_moment
+from core.effects.window_search import ROWS, weights
+from core.payload.inertia import Motion, regressor
+from core.words.message import Message
+
+LONGEST_STEP_S = 0.002
+"""Of the integration."""
+START_KG_M = 0.005
+START_HZ, START_DAMPING, START_FRICTION = 2.0, 0.2, 0.1
+"""From which fits start."""
+AXES = np.array([axis for axis in np.ndindex(3, 3, 3) if axis > (1, 1, 1)], dtype=float) - 1.0
+"""(13, 3), of hinges looked at before a fit, of any length: edges and diagonals of a cube."""
+TURNS_RAD = (0.0, 0.5 * np.pi, np.pi, -0.5 * np.pi)
+"""From hanging down, at the beginning: an axis that stands upright lets it be anywhere."""
+TRIED = 3
+
+
+class LooseOnHinge(PayloadLoose):
+    """A part on a hinge along e through r, its centre of mass along u across e, |u| = 1:
+    `phi'' = -(w^2 / g) e . (u x b) - e . alpha - 2 zeta w phi'`, less what dry friction takes, up to that of the share `mu` of its weight.
+
+    b is the specific force `a - g` at r, and w that of small swings under gravity with the axis level. What it moves of the first moment
+    acts as that of `PayloadLoose`; about e the hinge passes on what the part's inertia `d g / w^2` takes to turn, d its first moment.
+    """
+
+    wider_shape = True
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """First moment of the part (3), kg m, along the axis that it turns about, sensor axes, frequency, Hz, damping ratio, dry friction, a
+        share of what its weight does, how far from hanging down it begins, rad, and place of the hinge (3), m, from the centre of mass."""
+        return (
+            *(Parameter(f"first_moment_{axis}_kgm", "kg m", 0.0, -0.5, 0.5, 0.02) for axis in "xyz"),
+            Parameter("frequency_hz", "Hz", START_HZ, 0.3, min(10.0, 0.4 / scene.period), 2.0),
+            Parameter("damping_ratio", "1", START_DAMPING, 0.003, 3.0, 0.2),
+            Parameter("friction_share", "1", START_FRICTION, 0.0, 1.0, 0.1),
+            Parameter("start_rad", "rad", 0.0, -1.5 * np.pi, 1.5 * np.pi, 1.0),
+            *(Parameter(f"place_{axis}_m", "m", 0.0, -0.3, 0.3, 0.05) for axis in "xyz"),
+        )
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """`w` plus force and moment about the sensor origin of what has turned since the first row, sensor axes."""
+        if not theta[:3].any():
+            return w.copy()
+        r = centre_of_mass(scene) + theta[7:]
+        return np.asarray(add_force(w, *_compute_load(scene.motion, r, scene.period, theta)))
+
+    def explain_tie_to_run(self, scene: Scene) -> Message | None:
+        """Twins keep the one that swings."""
+        return Message.of("effect-shape-of-run")
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """The hinges whose part looks most like the residual; what payload and offsets take up does not count."""
+        rows = slice(0, None, max(1, len(scene) // ROWS))
+        motion, r, period = scene.motion[rows], centre_of_mass(scene), scene.period * rows.step
+        scale, wanted = weights(scene)[:, None], residual[rows].T
+        nuisance = np.concatenate([regressor(motion), np.broadcast_to(np.eye(6), (wanted.shape[1], 6, 6))], axis=2).transpose(1, 0, 2)
+        Q = np.linalg.svd((nuisance * scale[:, None]).reshape(wanted.size, -1), full_matrices=False)[0]
+        found = []
+        for axis in AXES:
+            for turn in TURNS_RAD:
+                theta = np.array([*(START_KG_M * axis / np.linalg.norm(axis)), START_HZ, START_DAMPING, START_FRICTION, turn, *[0.0] * 3])
+                force, place, torque = _compute_load(motion, r, period, theta)
+                added = (add_force(np.zeros((len(force), 6)), force, place, torque).T * scale).ravel()
+                added -= Q @ (Q.T @ added)
+                along = float(added @ wanted.ravel())
+                found.append((along * abs(along) / max(float(added @ added), 1e-12), theta))
+        found.sort(key=lambda each: -each[0])
+        return [theta for gain, theta in found[:TRIED] if gain > 0.0]
+
+    def advice(self, scene: Scene, theta: Array) -> Message:
+        """Advises fastening the part that turns: its first moment, kg mm."""
+        return Message.of("advice-payload-loose-hinge", first_moment_kg_m=float(np.linalg.norm(theta[:3])))
+
+
+def _compute_load(motion: Motion, r: Array, period: float, theta: Array) -> tuple[Array, Array, Array]:
+    """Force (N, 3) at its place r (3,) and torque (N, 3) beside it of what has turned since the first row."""
+    moment, w = float(np.linalg.norm(theta[:3])), 2.0 * np.pi * theta[3]
+    e = theta[:3] / moment
+    b = find_specific_force(motion, r)
+    down = -b[0] + (b[0] @ e) * e
+    if down @ down < 1e-12:  # exactly upright: any direction is as good
+        down = np.cross(e, np.roll(e, 1) + [0.0, 0.1, 0.2])
+    u = down / np.linalg.norm(down)
+    v = np.cross(e, u)
+    angle, rate = _turn(b @ u, b @ v, motion.alpha @ e, period, w * w / GRAVITY, 2.0 * theta[4] * w, theta[5] * w * w, theta[6])
+    change = np.gradient(rate, period)
+    cos, sin = np.cos(angle), np.sin(angle)
+    s = moment * (np.outer(cos - cos[0], u) + np.outer(sin - sin[0], v))
+    ds = moment * (np.outer(-sin * rate, u) + np.outer(cos * rate, v))
+    dds = moment * (np.outer(-sin * change - cos * rate**2, u) + np.outer(cos * change - sin * rate**2, v))
+    force, torque = load_of_moment(motion.omega, motion.alpha, b, s, ds, dds)
+    return force, r, torque + np.outer(moment * GRAVITY / (w * w) * change, e)
+
+
+@njit(cache=True)
+def _turn(p: Array, q: Array, alpha: Array, period: float, pull: float, drag: float, dry: float, start: float) -> tuple[Array, Array]:
+    """Angle, rad, and rate, rad/s, (N,) of a part that rests at first; p and q (N,) are the specific force along where it hangs at first and
+    a quarter turn further, alpha (N,) the angular acceleration about the axis, straight between rows. Dry friction is taken off the rate
+    of each step, down to rest (Moreau's time stepping)."""
+    steps = max(1, int(np.ceil(period / LONGEST_STEP_S)))
+    h, angle, rate = period / steps, np.empty_like(p), np.empty_like(p)
+    phi, v = start, 0.0
+    for k in range(len(p)):
+        for i in range(steps if k > 0 else 0):
+            share = (i + 0.5) / steps
+            now_p, now_q = p[k - 1] + share * (p[k] - p[k - 1]), q[k - 1] + share * (q[k] - q[k - 1])
+            turning = pull * (np.sin(phi) * now_p - np.cos(phi) * now_q) - alpha[k - 1] - share * (alpha[k] - alpha[k - 1])
+            v = (v + h * turning) / (1.0 + h * drag)
+            v = max(0.0, v - h * dry) if v > 0.0 else min(0.0, v + h * dry)
+            phi += h * v
+        angle[k], rate[k] = phi, v
+    return angle, rate
