@@ -39,8 +39,8 @@ class LooseOnHinge(PayloadLoose):
     wider_shape = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """First moment of the part (3), kg m, along the axis that it turns about, sensor axes, frequency, Hz, damping ratio, dry friction, a
-        share of what its weight does, how far from hanging down it begins, rad, and place of the hinge (3), m, from the centre of mass."""
+        """First moment of the part (3), kg m, along the axis that it turns about, sensor axes, frequency, Hz, damping ratio, dry friction,
+        a share of what its weight does, how far from hanging down it begins, rad, and the hinge's place (3), m, from the centre of mass."""
         return (
             *(Parameter(f"first_moment_{axis}_kgm", "kg m", 0.0, -0.5, 0.5, 0.02) for axis in "xyz"),
             Parameter("frequency_hz", "Hz", START_HZ, 0.3, min(10.0, 0.4 / scene.period), 2.0),
@@ -92,7 +92,7 @@ def _compute_load(motion: Motion, r: Array, period: float, theta: Array) -> tupl
     b = find_specific_force(motion, r)
     down = -b[0] + (b[0] @ e) * e
     if down @ down < 1e-12:  # exactly upright: any direction is as good
-        down = np.cross(e, np.roll(e, 1) + [0.0, 0.1, 0.2])
+        down = np.cross(e, np.roll(e, 1) + np.array([0.0, 0.1, 0.2]))
     u = down / np.linalg.norm(down)
     v = np.cross(e, u)
     angle, rate = _turn(b @ u, b @ v, motion.alpha @ e, period, w * w / GRAVITY, 2.0 * theta[4] * w, theta[5] * w * w, theta[6])
@@ -107,9 +107,9 @@ def _compute_load(motion: Motion, r: Array, period: float, theta: Array) -> tupl
 
 @njit(cache=True)
 def _turn(p: Array, q: Array, alpha: Array, period: float, pull: float, drag: float, dry: float, start: float) -> tuple[Array, Array]:
-    """Angle, rad, and rate, rad/s, (N,) of a part that rests at first; p and q (N,) are the specific force along where it hangs at first and
-    a quarter turn further, alpha (N,) the angular acceleration about the axis, straight between rows. Dry friction is taken off the rate
-    of each step, down to rest (Moreau's time stepping)."""
+    """Angle, rad, and rate, rad/s, (N,) of a part that rests at first; p and q (N,) are the specific force along where it hangs at
+    first and a quarter turn further, alpha (N,) the angular acceleration about the axis, straight between rows. Dry friction is taken off
+    the rate of each step, down to rest (Moreau's time stepping)."""
     steps = max(1, int(np.ceil(period / LONGEST_STEP_S)))
     h, angle, rate = period / steps, np.empty_like(p), np.empty_like(p)
     phi, v = start, 0.0
