@@ -65,6 +65,9 @@ def find_touched(evidence: Evidence, effects: Sequence[Effect], fit_all: FitAll)
     explained = rest.best if rest.verdict == "explained" and len(rest.best.effects) == 1 else rest.nominal
     unknown, lapse = map(float, find_doubts(np.array(find_left_share(nominal, explained)), read_figures().figures))
     probability = (1.0 - unknown) * (1.0 - lapse)
+    if explained.effects:  # two claims: that it was touched, and what the rest shows
+        unknown = 1.0 - (1.0 - unknown) * (1.0 - rest.attribution.unknown)
+        probability *= rest.attribution.explained[0][1]
     if probability < EXPLAINED:
         return None
     alone, best = (_carry_over(windows, fit, contacts) for fit in (rest.nominal, explained))

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from scipy.interpolate import PchipInterpolator
 
+from core.effects.effect import Effect
 from core.effects.library import library
 from core.gap.answer import Diagnosis
 from core.gap.basis import basis_of
+from core.gap.contact_answer import find_touched
 from core.gap.contacts import find_contacts, find_stretches
 from core.gap.diagnosis import diagnose
 from core.gap.effect_fit import fit_nominal
+from core.gap.evidence import Evidence, gather
+from core.gap.fit_all import FitAll, on_all_cores
 from core.gap.windows import Windows
 from core.recording.recording import Recording
 from tests.synthetic import Imperfections, Run, payload, record, run_of
@@ -106,13 +111,18 @@ def test_stretches_close_together_are_one_and_what_rings_on_is_none_of_them() ->
     assert find_stretches(t, size) == [slice(100, 120), slice(300, 320)]
 
 
+EFFECTS = [effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "external_contact")]
+
+
 @pytest.fixture(scope="module")
-def diagnosis(run: Run) -> Diagnosis:
+def pushed_and_tilted(run: Run) -> Recording:
     tilt = Imperfections(tilt_rad=(0.02, 0.0))
-    recording = push(record(run, payload("steel_block"), np.random.default_rng(8), tilt), run, hand(run, 8), (0.02, -0.01, 0.09))
-    return diagnose(
-        recording, [effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "external_contact")]
-    )
+    return push(record(run, payload("steel_block"), np.random.default_rng(8), tilt), run, hand(run, 8), (0.02, -0.01, 0.09))
+
+
+@pytest.fixture(scope="module")
+def diagnosis(pushed_and_tilted: Recording) -> Diagnosis:
+    return diagnose(pushed_and_tilted, EFFECTS)
 
 
 def test_pushes_and_a_base_that_is_not_level_are_both_named_and_the_payload_is_that_of_the_rest(diagnosis: Diagnosis) -> None:
@@ -134,3 +144,21 @@ def test_the_stretches_are_told_in_the_answer_and_to_the_person_at_the_robot(dia
     strongest = max(diagnosis.where.contacts, key=lambda part: part.most_n)
     assert diagnosis.instruction.at_s == pytest.approx(strongest.begin_s)
     assert diagnosis.where.stage == "environment"
+
+
+@pytest.mark.parametrize("doubt", [0.2, 0.45])
+def test_what_contacts_and_an_effect_explain_is_no_surer_than_that_effect_is_of_the_rest(
+    pushed_and_tilted: Recording, monkeypatch: pytest.MonkeyPatch, doubt: float
+) -> None:
+    def gather_in_doubt(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all_cores) -> Evidence:
+        rest = gather(windows, effects, fit_all)
+        told = tuple((fit, (1.0 - doubt) * probability) for fit, probability in rest.attribution.explained)
+        return replace(rest, attribution=replace(rest.attribution, unknown=doubt, explained=told))
+
+    monkeypatch.setattr("core.gap.contact_answer.gather", gather_in_doubt)
+    touched = find_touched(gather(Windows(basis_of(pushed_and_tilted)), EFFECTS), EFFECTS, on_all_cores)
+    if touched is None:
+        assert doubt == 0.45
+    else:
+        assert touched.probability < 1.0 - doubt
+        assert touched.unknown >= doubt
