@@ -16,7 +16,7 @@ from core.effects.window_search import ROWS, weights
 from core.payload.inertia import Motion, regressor
 from core.words.message import Message
 
-LONGEST_STEP_S = 0.002
+LONGEST_STEP_S = 0.0025
 """Of the integration."""
 START_KG_M = 0.005
 START_HZ, START_DAMPING, START_FRICTION = 2.0, 0.2, 0.1
@@ -97,12 +97,23 @@ def _compute_load(motion: Motion, r: Array, period: float, theta: Array) -> tupl
     v = np.cross(e, u)
     angle, rate = _turn(b @ u, b @ v, motion.alpha @ e, period, w * w / GRAVITY, 2.0 * theta[4] * w, theta[5] * w * w, theta[6])
     change = np.gradient(rate, period)
-    cos, sin = np.cos(angle), np.sin(angle)
-    s = moment * (np.outer(cos - cos[0], u) + np.outer(sin - sin[0], v))
-    ds = moment * (np.outer(-sin * rate, u) + np.outer(cos * rate, v))
-    dds = moment * (np.outer(-sin * change - cos * rate**2, u) + np.outer(cos * change - sin * rate**2, v))
-    force, torque = load_of_moment(motion.omega, motion.alpha, b, s, ds, dds)
-    return force, r, torque + np.outer(moment * GRAVITY / (w * w) * change, e)
+    force, torque = load_of_moment(motion.omega, motion.alpha, b, *_move(angle, rate, change, moment * u, moment * v))
+    return force, r, torque + (moment * GRAVITY / (w * w) * change)[:, None] * e
+
+
+@njit(cache=True)
+def _move(angle: Array, rate: Array, change: Array, u: Array, v: Array) -> tuple[Array, Array, Array]:
+    """(N, 3) each, how far a first moment has moved since the first row, and its two rates, that turns from u (3,) towards v (3,)."""
+    s, ds, dds = np.empty((len(angle), 3)), np.empty((len(angle), 3)), np.empty((len(angle), 3))
+    cos0, sin0 = np.cos(angle[0]), np.sin(angle[0])
+    for k in range(len(angle)):
+        cos, sin, one, two = np.cos(angle[k]), np.sin(angle[k]), rate[k], change[k]
+        for c in range(3):
+            at, across = cos * u[c] + sin * v[c], cos * v[c] - sin * u[c]
+            s[k, c] = at - cos0 * u[c] - sin0 * v[c]
+            ds[k, c] = one * across
+            dds[k, c] = two * across - one * one * at
+    return s, ds, dds
 
 
 @njit(cache=True)
