@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from core.array import Array
 from core.effects.effect import Parameter
-from core.effects.filters import delay_each
+from core.effects.filters import delay_each, delay_signal
 from core.effects.scene import Scene
+from core.effects.splines import smooth_by_splines
 from core.effects.time_delay import TimeDelay
-from core.effects.window_search import weights
+from core.effects.window_search import ROWS, weights
+from core.payload.inertia import regressor
 from core.words.message import Message
 
-BIN_S = 0.5
-"""Over which a delay is looked at before a fit."""
-SHORTEST_S, CYCLES, PHASES = 1.5, 80, 32
-"""Times from slip to slip that are looked at, from the shortest to the run, and how many first slips for each."""
-SIGN = 0.01
-"""Share that the best growth explains more than a constant delay does, or there is no sign of one."""
+BIN_S, MOST_BINS = 0.2, 400
+"""Over which a delay is looked at before a fit, at least, and in how many pieces of a run at most."""
+LEAST_S = 0.005
+"""Of the swing from which a fit starts."""
+SHORTEST = 6
+"""Pieces from slip to slip, at least."""
+FINER, PHASES = 5, 32
+"""Numbers of slips in a run are looked at in such parts of one, and as many first slips for each."""
+SIGN = 0.05
+"""Share of what a constant delay leaves that the best growth explains, or there is no sign of one."""
 
 
 class DelayThatGrows(TimeDelay):
@@ -31,7 +39,7 @@ class DelayThatGrows(TimeDelay):
         return (
             Parameter("delay_s", "s", 0.0, 0.0, 0.2, 0.02),
             Parameter("growth_s_per_s", "s/s", 0.0, -0.1, 0.1, 0.002),
-            Parameter("cycle_s", "s", 2.0 * (end - begin), 0.5 * SHORTEST_S, 4.0 * (end - begin), 0.2 * (end - begin)),
+            Parameter("cycle_s", "s", 2.0 * (end - begin), BIN_S, 4.0 * (end - begin), 0.2 * (end - begin)),
             Parameter("slip_s", "s", begin, begin - 4.0 * (end - begin), end, 0.2 * (end - begin)),
         )
 
@@ -45,14 +53,13 @@ class DelayThatGrows(TimeDelay):
         return Message.of("effect-shape-of-run")
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """The growth and the slips by which delays of half a second each are described best, with short, middling and long delays; none
-        where a constant delay describes them as well."""
-        found = None if scene.apart else _find_growth(scene, residual)
-        if found is None:
-            return []
-        late, growth, cycle, slip = found
-        most = abs(late) + 0.5 * abs(growth) * min(cycle, float(scene.t[-1] - scene.t[0]))
-        return [np.array([late / most * delay, growth / most * delay, cycle, slip]) for delay in (0.006, 0.02, 0.05)]
+        """None: how a delay grows shows once the delay is known."""
+        return []
+
+    def starts_beside(self, scene: Scene, residual: Array, plain: Array) -> list[Array]:
+        """The growth and the slips by which the delays that short pieces have left are described best."""
+        found = None if scene.apart else _find_growth(scene, residual, float(plain[0]))
+        return [] if found is None else [found]
 
     def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises one clock for wrench and joints: how much later it comes in a minute, ms, and from slip to slip, s, where it slips."""
@@ -62,29 +69,56 @@ class DelayThatGrows(TimeDelay):
         return Message.of("advice-time-delay-grows", per_minute_s=60.0 * growth)
 
 
-def _sawtooth(t: Array, cycle: float, slip: float) -> Array:
-    """(N,), from -1/2 to 1/2 between slips."""
+def _sawtooth(t: Array, cycle: float, slip: float | Array) -> Array:
+    """(N,), from -1/2 to 1/2 between slips; (M, N) of slips (M, 1)."""
     return np.asarray((t - slip) / cycle % 1.0 - 0.5)
 
 
-def _find_growth(scene: Scene, residual: Array) -> tuple[float, float, float, float] | None:
-    """Mean delay and growth, both up to one factor as the residual's unit is not known, cycle and slip, by which delays within short times,
-    each of least squares, are described best."""
+def _find_growth(scene: Scene, residual: Array, late: float) -> Array | None:
+    """(4,), parameters by which the delays of short pieces beyond `late`, s, each of least squares, are described best; None where they
+    explain hardly anything. What payload and offsets take up does not count."""
     t, long_s = scene.t, float(scene.t[-1] - scene.t[0])
-    if long_s < 2.0 * SHORTEST_S:
+    piece_s = max(BIN_S, long_s / MOST_BINS)
+    if long_s < 2 * SHORTEST * piece_s:
         return None
-    column = -np.gradient(scene.nominal, t, axis=0) * weights(scene)
-    which = ((t - t[0]) / BIN_S).astype(int)
-    along, size = (np.bincount(which, x.sum(axis=1)) for x in (column * residual, column * column))
-    centre = t[0] + BIN_S * (np.arange(len(size)) + 0.5)
-    best, gain = None, (1.0 + SIGN) * float(along.sum() ** 2 / max(size.sum(), 1e-300))
-    for cycle in (*np.geomspace(SHORTEST_S, long_s, CYCLES), 2.0 * long_s):
-        # a cycle longer than the run does not slip in it
-        slips = t[0] + cycle * np.arange(PHASES) / PHASES if cycle < 1.5 * long_s else [t[0] - 0.5 * long_s]
-        for slip in slips:
-            X = np.column_stack((np.ones(len(size)), _sawtooth(centre, cycle, slip)))
-            right = X.T @ along
-            late, swing = np.linalg.lstsq(X.T @ (size[:, None] * X), right, rcond=None)[0]
-            if (explained := float(right @ (late, swing))) > gain:
-                best, gain = (max(float(late), 0.0), float(swing) / cycle, float(cycle), float(slip)), explained
-    return best
+    rows, scale = slice(0, None, max(1, len(scene) // ROWS)), weights(scene)
+    slope = -np.gradient(delay_signal(scene.nominal, late / scene.period), t, axis=0)
+    column = smooth_by_splines(slope, scene.period, scene.residual_window)[rows] * scale
+    known = np.concatenate([regressor(scene.motion[rows]), np.broadcast_to(np.eye(6), (len(column), 6, 6))], axis=2) * scale[:, None]
+    Q = np.linalg.svd(known.reshape(-1, known.shape[2]), full_matrices=False)[0]
+    seen = residual[rows].ravel()
+    r = (seen - Q @ (Q.T @ seen)).reshape(-1, 6)
+    which = ((t[rows] - t[0]) / piece_s).astype(int)
+    along, alone = (np.bincount(which, x.sum(axis=1)).astype(float) for x in (column * r, column * column))
+    taken = np.stack([np.bincount(which, (column * q.reshape(-1, 6)).sum(axis=1)) for q in Q.T], axis=1)
+    cycle, slip, swing, gain = _find_sawtooth(
+        t[0] + piece_s * np.arange(0.5, len(along)), along, np.asarray(np.diag(alone) - taken @ taken.T, dtype=float)
+    )
+    if gain < SIGN * float((r * r).sum()):
+        return None
+    # the residual's unit is not known: that it comes and goes with the delay is as good a start as any
+    return np.array([late, math.copysign(max(late, LEAST_S), swing) / cycle, cycle, slip])
+
+
+def _find_sawtooth(centre: Array, along: Array, shared: Array) -> tuple[float, float, float, float]:
+    """Cycle, slip, the swing beside a constant, and what it explains.
+
+    Args:
+        centre: (n,), times of pieces, s. along: (n,), what a change of each one's delay explains; shared: (n, n), their normal matrix.
+    """
+    piece_s = float(centre[1] - centre[0])
+    begin, long_s = centre[0] - 0.5 * piece_s, len(centre) * piece_s
+    shared = shared - np.outer(shared.sum(axis=1), shared.sum(axis=0)) / max(float(shared.sum()), 1e-300)
+    least = 1e-9 * float(np.trace(shared))
+    cycles = long_s * FINER / np.arange(FINER, FINER * (len(centre) // SHORTEST) + 1)
+    # a cycle longer than the run does not slip in it
+    tried = [(2.0 * long_s, np.array([begin - 0.5 * long_s]))]
+    tried += [(float(cycle), begin + cycle * np.arange(PHASES) / PHASES) for cycle in cycles]
+    found = []
+    for cycle, slips in tried:
+        saw = _sawtooth(centre, cycle, slips[:, None])
+        swing = saw @ along / (((saw @ shared) * saw).sum(axis=1) + least)
+        explained = swing * (saw @ along)
+        k = int(np.argmax(explained))
+        found.append((cycle, float(slips[k]), float(swing[k]), float(explained[k])))
+    return max(found, key=lambda each: each[3])

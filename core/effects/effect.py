@@ -119,6 +119,12 @@ class Effect(ABC):
         del residual
         return [np.array([p.absent + 0.3 * p.scale for p in self.parameters(scene)])]
 
+    def starts_beside(self, scene: Scene, residual: Array, plain: Array) -> list[Array]:
+        """The same of a richer shape, where the plain one with the parameters `plain` has left the residual; none where that shows no sign
+        of it."""
+        del scene, residual, plain
+        return []
+
     @abstractmethod
     def advice(self, scene: Scene, theta: Array) -> Message:
         """What a person should do about it, one sentence in the imperative with its figures."""

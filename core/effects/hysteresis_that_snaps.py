@@ -19,6 +19,8 @@ from core.words.message import Message
 
 MOST_SHARE = 0.5
 """Share of a channel's whole change of load that may be held back: with more it might never snap, and be a gain of that channel."""
+USUAL, LEAST_MOST = 0.01, 0.03
+"""Of full scale, that is held back as a rule, and that may be held back in a channel that hardly changes."""
 HOLDS = np.geomspace(0.003, MOST_SHARE, 80)
 """Shares of it looked at before a fit."""
 RESTS = (0.0, 0.3)
@@ -35,14 +37,18 @@ class HysteresisThatSnaps(SensorHysteresis):
     jumps = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """Six shares that are held back, six logarithms of the changes that are, over full scale, and the share that a snap leaves."""
-        holds = (Parameter(f"{channel}_turning_load_log_ratio", "1", math.log(0.01), -9.0, 0.0, 1.0) for channel in CHANNELS)
+        """Six shares that are held back, six logarithms of the changes that are, over full scale, at most as large as makes it snap in
+        this run, and the share that a snap leaves."""
+        most = np.maximum(MOST_SHARE * np.ptp(scene.nominal, axis=0) / full_scale(scene, scene.nominal), LEAST_MOST)
+        holds = (
+            Parameter(f"{channel}_turning_load_log_ratio", "1", math.log(USUAL), -9.0, math.log(upper), 1.0)
+            for channel, upper in zip(CHANNELS, most.tolist(), strict=True)
+        )
         return (*shares("held_share", lower=-1.0, upper=1.0, scale=0.2), *holds, Parameter("rest_share", "1", 0.0, 0.0, 0.9, 0.3))
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w - s (w - a)` in each channel that holds anything back."""
-        most = np.minimum(np.exp(theta[6:12]) * full_scale(scene, w), MOST_SHARE * np.ptp(w, axis=0))
-        return np.asarray(w - theta[:6] * (w - _stick(np.ascontiguousarray(w), most, theta[12])))
+        return np.asarray(w - theta[:6] * (w - _stick(np.ascontiguousarray(w), np.exp(theta[6:12]) * full_scale(scene, w), theta[12])))
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """Where it sticks depends on what was before."""
@@ -92,7 +98,7 @@ def _find_sawteeth(scene: Scene, residual: Array, rest: float) -> Array:
         k = int(np.argmax(gains[c]))
         if gains[c][k] < least:
             break
-        theta[c], theta[6 + c] = 0.1, float(np.clip(math.log(holds[c, k] / full[c]), -9.0, 0.0))
+        theta[c], theta[6 + c] = 0.1, math.log(holds[c, k] / full[c])
         q = np.zeros((6, n))
         q[c] = teeth.pop(c)[:, k]
         Q = np.linalg.qr(np.column_stack((Q, q.ravel())))[0]

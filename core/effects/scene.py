@@ -36,8 +36,10 @@ class Scene:
         link_torque: (N, n), that the arm without payload asks of its joints, N m; None likewise.
         temperature: (N,), degC, None where not recorded.
         range, resolution: (6,), of the sensor, None where unknown.
+        noise: (6,), standard deviation of the wrench's noise, N and N m; None where unknown.
         step: period of the samples, s; the first two times tell where absent. A scene of one row must state it.
         window: knot spacing of the cubic B-splines that motion and readings are means over, s; 0 where they are samples.
+        residual_window: the same of what residuals on its rows are means over, beyond that; 0 where they are as fine as the rows.
         memory: of the rows before the first, for a run that is simulated in blocks; None for a run as a whole.
         apart: whether each row is a pose by itself, and nothing is known of the way from one to the next.
     """
@@ -58,8 +60,10 @@ class Scene:
     temperature: Array | None = None
     range: Array | None = None
     resolution: Array | None = None
+    noise: Array | None = None
     step: float | None = None
     window: float = 0.0
+    residual_window: float = 0.0
     memory: Memory | None = None
     apart: bool = False
 

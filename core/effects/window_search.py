@@ -25,7 +25,7 @@ ROUNDS = 4
 
 def weights(scene: Scene) -> Array:
     """(6,), one over the sensor's noise up to a common factor."""
-    for described in (scene.resolution, scene.range):
+    for described in (scene.noise, scene.resolution, scene.range):
         if described is not None and (described > 0).all():
             return np.asarray(described[0] / described)
     return np.array([1.0, 1.0, 1.0, *[1.0 / LEVER] * 3])

@@ -85,11 +85,12 @@ def basis_of_poses(recording: Recording, poses: Poses, wrench: Array) -> Basis:
     V = regressor_of(-g, np.zeros((len(g), 3, 3)))
     known = recording.reference_of_whole
     each = csr_array(eye_array(len(t)))
+    noise = noise_of_poses(t, R, w, recording.sensor.noise_std)
     return Basis(
         poses,
-        noise_of_poses(t, R, w, recording.sensor.noise_std),
+        noise,
         tuple(Segment(int(k), int(k) + 1, str(name)) for k, name in zip(kept, phase, strict=True)),
-        scene_of_poses(recording, poses, phase, kept),
+        replace(scene_of_poses(recording, poses, phase, kept), noise=noise.std),
         w,
         V,
         None if known is None else known.phi,
@@ -140,6 +141,7 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
         equations = _take_rest(equations, g, np.asarray(spread @ still.astype(float)))
     if equations.at_rest:
         V = regressor_of(-g, np.zeros_like(B))
+    scene = replace(scene, noise=noise.std, residual_window=equations.step)
     measured, zero_std = np.asarray(reading @ wrench), find_zero_std(recording)
     return Basis(poses, noise, segments, scene, measured, V, reference, zero_std, spread, reading, raw.difference, equations)
 

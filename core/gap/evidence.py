@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -126,9 +126,22 @@ def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], fi
     tasks += [task for task in richer if task.thetas]
     smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
     singles = choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
+    beside = [task for task in _start_beside(windows, nominal, singles, wider) if task.thetas]
+    singles = choose_variants(nominal, [*singles, *fit_all(windows, beside)]) if beside else singles
     if find_left_share(nominal, min(singles, key=lambda fit: fit.chi_square, default=nominal)) > ONE_IS_CLEAR:
         singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, effects, fit_all)])
     return singles
+
+
+def _start_beside(windows: Windows, nominal: EffectFit, singles: list[EffectFit], wider: list[Effect]) -> Iterator[Task]:
+    """Richer shapes that show only beside the plain one, of the effects that explain most and leave something."""
+    for fit in sorted(singles, key=lambda fit: fit.chi_square)[:FIRSTS]:
+        if fit.effects[0].wider_shape or find_left_share(nominal, fit) < ONE_IS_CLEAR:
+            continue
+        scene, residual = windows.basis.scene.with_phi(fit.phi), windows.on_grid(fit.residual)
+        for effect in wider:
+            if effect.id == fit.name:
+                yield Task((effect,), fit, effect.starts_beside(scene, residual, fit.theta))
 
 
 def _fit_again(fit: EffectFit, nominal: EffectFit) -> Task:

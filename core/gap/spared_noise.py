@@ -3,8 +3,8 @@
 The twin predicts from measured joints, and their noise goes through the payload and every effect with the rest. A filter takes some of it
 away, and so does an effect that stands for the payload's weight and leaves it next to no mass: the residual gets smaller whether the effect
 is there or not. That is no evidence, and is given back. An effect that jumps makes much noise of little, since it jumps early or late:
-what it predicts is that much less certain, which excuses a residual and has its price (the normal density's two terms). What is beyond any
-such noise is excused by none.
+what it predicts is that much less certain, which excuses a residual and has its price (the normal density's two terms). What is far
+beyond it is not excused.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ LEAST = 1.0
 """Of chi-square in all: less noise of the kinematics is not looked at."""
 FEWER = 4
 """Draws, where nothing is filtered and hardly any noise is spared."""
-BY_CHANCE = 10.0
-"""Times its variance that the mean square of a motion is never by chance: of six equations once in 2e10 times."""
+MOST_EXCUSED = 100.0
+"""Times the variance that noise makes may be excused by it: what shakes an arm may be ten times what is known of it, and no more."""
 
 
 def take_off_noise(held_out: Array, problem: Problem, theta: Array, beta: Array) -> Array:
@@ -35,7 +35,7 @@ def take_off_noise(held_out: Array, problem: Problem, theta: Array, beta: Array)
     if not any(effect.jumps for effect in problem.effects):
         return np.asarray(held_out + spared)
     added = np.maximum(0.0, -spared)
-    possible = BY_CHANCE * (1.0 + added)
+    possible = MOST_EXCUSED * (1.0 + added)
     excused = possible / np.maximum(_by_motion(problem.windows, held_out), possible)
     return np.asarray(held_out * (1.0 - excused * added / (1.0 + added)) + np.maximum(0.0, spared) + np.log1p(added))
 

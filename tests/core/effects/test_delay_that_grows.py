@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
-from scipy.optimize import least_squares
+from scipy.optimize import least_squares, minimize_scalar
 
 from core.array import Array
 from core.effects.delay_that_grows import DelayThatGrows
 from core.effects.time_delay import TimeDelay
 from tests.core.effects.synthetic_scene import NOISE, scene
 
-RUN = scene()
+RUN = replace(scene(), noise=NOISE)
 LONG_S = float(RUN.t[-1] - RUN.t[0])
 EFFECT = DelayThatGrows()
 
@@ -34,29 +36,41 @@ def test_a_buffer_that_slips_takes_the_delay_back() -> None:
     np.testing.assert_allclose(EFFECT.wrench(RUN, RUN.nominal, theta)[settled], expected[settled], atol=2e-3)
 
 
-def test_the_search_before_the_fit_finds_from_slip_to_slip_and_how_fast_it_grows() -> None:
-    starts = EFFECT.starts(RUN, (come_late(slipping(0.02, 0.02, 3.7)) - RUN.nominal) / NOISE)
-    begun = np.argmin([abs(start[0] - 0.02) for start in starts])
-    delay, growth, cycle, slip = starts[begun]
-    assert cycle == pytest.approx(3.7, rel=0.05)
-    assert abs((slip - RUN.t[0] + 1.85) % 3.7 - 1.85) < 0.5
-    assert 0.5 < growth / delay * 3.7 < 1.5
+def left_by(late: Array, mean: float) -> Array:
+    """(N, 6), what a constant delay leaves of one, in standard deviations of the noise."""
+    return (come_late(late) - come_late(np.full(len(RUN), mean))) / NOISE
+
+
+@pytest.mark.parametrize(("cycle", "mean"), [(3.7, 0.02), (2.3, 0.06), (5.2, 0.02)])
+def test_the_search_before_the_fit_finds_from_slip_to_slip_and_which_way_it_grows(cycle: float, mean: float) -> None:
+    ((delay, growth, found, slip),) = EFFECT.starts_beside(RUN, left_by(slipping(mean, 0.02, cycle), mean), np.array([mean]))
+    assert delay == mean
+    assert found == pytest.approx(cycle, rel=0.05)
+    assert abs((slip - RUN.t[0] + 0.5 * cycle) % cycle - 0.5 * cycle) < 0.5
+    assert growth > 0.0
+    ((_, shrinks, _, _),) = EFFECT.starts_beside(RUN, left_by(slipping(mean, -0.02, cycle), mean), np.array([mean]))
+    assert shrinks < 0.0
 
 
 def test_a_fit_finds_how_much_later_a_clock_is_that_runs_slow() -> None:
-    change = come_late(0.03 * (RUN.t - RUN.t[0]) / LONG_S) - RUN.nominal
+    late = 0.03 * (RUN.t - RUN.t[0]) / LONG_S
+    change = come_late(late) - RUN.nominal
     scale = np.array([p.scale for p in EFFECT.parameters(RUN)])
 
     def left(x: Array) -> Array:
         return np.asarray(((EFFECT.wrench(RUN, RUN.nominal, x) - RUN.nominal - change) / NOISE).ravel())
 
-    best = min((least_squares(left, start, x_scale=scale) for start in EFFECT.starts(RUN, change / NOISE)), key=lambda fit: fit.cost)
-    assert 2.0 * best.cost < 0.01 * np.square(change / NOISE).sum()
-    assert best.x[1] == pytest.approx(0.03 / LONG_S, rel=0.05)
+    plain = minimize_scalar(lambda mean: np.square(left_by(late, mean)).sum(), bounds=(0.0, 0.03), method="bounded").x
+    (start,) = EFFECT.starts_beside(RUN, left_by(late, plain), np.array([plain]))
+    fit = least_squares(left, start, x_scale=scale)
+    assert 2.0 * fit.cost < 0.01 * np.square(change / NOISE).sum()
+    assert fit.x[1] == pytest.approx(0.03 / LONG_S, rel=0.05)
 
 
-def test_a_constant_delay_is_no_sign_of_one_that_grows() -> None:
-    assert EFFECT.starts(RUN, (come_late(np.full(len(RUN), 0.02)) - RUN.nominal) / NOISE) == []
+def test_what_noise_leaves_of_a_constant_delay_is_no_sign_of_one_that_grows() -> None:
+    noise = np.random.default_rng(1).normal(size=RUN.nominal.shape)
+    assert EFFECT.starts_beside(RUN, noise, np.array([0.02])) == []
+    assert EFFECT.starts(RUN, noise) == []
 
 
 def test_with_no_growth_it_is_the_constant_delay() -> None:
