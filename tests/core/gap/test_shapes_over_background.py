@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
 
 from core.effects.library import library
 from core.gap.answer import Diagnosis
@@ -149,3 +150,19 @@ def test_zeros_as_real_arms_have_them_are_no_gap_and_larger_ones_are(run: Run) -
         gaps.append(gap_of(windows, fit_nominal(windows)))
     assert gaps[1] == pytest.approx(gaps[0], abs=0.02)
     assert gaps[2] > gaps[0] + 0.2
+
+
+@pytest.mark.parametrize(("cycle_s", "swing_s"), [(7.3, 0.012), (4.1, -0.02)])
+def test_a_buffer_that_slips_shows_beside_the_delay_that_it_has_on_the_whole(run: Run, cycle_s: float, swing_s: float) -> None:
+    recording, load = recorded(run, 9)
+    late = 0.02 + swing_s * ((run.t - run.t[0]) / cycle_s % 1.0 - 0.5)
+    come = CubicSpline(run.t, load)(np.maximum(run.t - late, run.t[0]))
+    diagnosis = explain(
+        replace(recording, wrench=recording.wrench + come - load), "time_delay", "sensor_lowpass", "sensor_creep", "sensor_crosstalk"
+    )
+    assert (diagnosis.verdict, diagnosis.effects[0].id) == ("explained", "time_delay")
+    found = {name: value.value for name, value in diagnosis.effects[0].parameters.items()}
+    assert found["cycle_s"] == pytest.approx(cycle_s, rel=0.01)
+    assert found["growth_s_per_s"] == pytest.approx(swing_s / cycle_s, rel=0.1)
+    assert found["delay_s"] == pytest.approx(0.02, abs=0.001)
+    assert "every" in diagnosis.effects[0].advice.text
