@@ -37,6 +37,7 @@ PIECES = {
     "damping_ratio": Message.of("effect-parameter-damping-ratio"),
     "delay": Message.of("effect-parameter-delay"),
     "difference": Message.of("effect-parameter-difference"),
+    "direct": Message.of("effect-parameter-direct"),
     "drag": Message.of("effect-parameter-drag"),
     "duration": Message.of("effect-parameter-duration"),
     "first_minute": Message.of("effect-parameter-first-minute"),

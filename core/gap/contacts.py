@@ -83,8 +83,8 @@ def find_contacts(windows: Windows, nominal: EffectFit) -> Contacts | None:
     free = np.ones(len(windows), dtype=bool)
     for rows in stretches:
         free[rows] = False
-    if not stretches or free.mean() < FREE:
-        return None
+    if not stretches or stretches[0].start == 0 or free.mean() < FREE:
+        return None  # who touches begins to touch: what is there from the first row on may be anything
     wider = _leave_margins(windows.centres, stretches)
     free = wider if wider.mean() >= FREE else free
     wrench, rotation = -windows.unwhiten(residual), windows.average_rotation()

@@ -35,6 +35,7 @@ CODES = {
     "damping_ratio": "report-of-damping-ratio",
     "delay": "report-of-delay",
     "difference": "report-of-difference",
+    "direct": "report-of-direct",
     "drag": "report-of-drag",
     "drift": "report-of-drift",
     "duration": "report-of-duration",

@@ -81,6 +81,7 @@ effect-parameter-cycle = Zeit von Sprung zu Sprung
 effect-parameter-damping-ratio = Dämpfungsgrad
 effect-parameter-delay = Verzögerung
 effect-parameter-difference = Differenz
+effect-parameter-direct = Anteil daran vorbei
 effect-parameter-drag = Bremsung
 effect-parameter-duration = Dauer
 effect-parameter-first-minute = erste Minute

@@ -307,6 +307,7 @@ report-of-cycle = Zeit von Sprung zu Sprung
 report-of-damping-ratio = Dämpfungsgrad
 report-of-delay = Verzögerung
 report-of-difference = Unterschied
+report-of-direct = Anteil daran vorbei
 report-of-drag = Bremsung
 report-of-drift = Drift
 report-of-duration = Dauer

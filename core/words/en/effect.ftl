@@ -81,6 +81,7 @@ effect-parameter-cycle = time from slip to slip
 effect-parameter-damping-ratio = damping ratio
 effect-parameter-delay = delay
 effect-parameter-difference = difference
+effect-parameter-direct = part that goes round it
 effect-parameter-drag = drag
 effect-parameter-duration = duration
 effect-parameter-first-minute = first minute

@@ -309,6 +309,7 @@ report-of-cycle = time from slip to slip
 report-of-damping-ratio = damping ratio
 report-of-delay = delay
 report-of-difference = difference
+report-of-direct = part that goes round it
 report-of-drag = drag
 report-of-drift = drift
 report-of-duration = duration

@@ -93,6 +93,15 @@ def test_nothing_is_found_where_nothing_touched(run: Run) -> None:
     assert found_in(record(run, payload("steel_block"), np.random.default_rng(4))) is None
 
 
+def test_a_force_that_is_there_from_the_beginning_on_is_no_contact(run: Run) -> None:
+    still, force = record(run, payload("steel_block"), np.random.default_rng(9)), hand(run, 9)
+    force[run.t < run.t[0] + 0.3 * (run.t[-1] - run.t[0])] += [3.0, 1.0, 0.0]
+    assert found_in(push(still, run, force, (0.02, -0.01, 0.09))) is None
+    late = hand(run, 9)
+    late[(run.t > run.t[0] + 1.0) & (run.t < run.t[0] + 0.1 * (run.t[-1] - run.t[0]))] += [3.0, 1.0, 0.0]
+    assert found_in(push(still, run, late, (0.02, -0.01, 0.09))) is not None
+
+
 def test_what_shakes_the_payload_to_and_fro_is_no_contact(run: Run) -> None:
     assert found_in(push(record(run, payload("steel_block"), np.random.default_rng(5)), run, shaken(run), (0.0, 0.0, 0.1))) is None
 

@@ -61,6 +61,7 @@ export const deEffects: typeof enEffects = {
     cycle: 'Zeit von Sprung zu Sprung',
     damping_ratio: 'Dämpfungsgrad',
     delay: 'Verzögerung',
+    direct: 'Anteil daran vorbei',
     drag: 'Bremsung',
     duration: 'Dauer',
     first_minute: 'erste Minute',
