@@ -64,3 +64,10 @@ def test_the_advice_says_what_the_worst_channel_holds_back() -> None:
 def test_what_holds_nothing_back_changes_nothing(rest: float) -> None:
     theta = np.concatenate((np.zeros(6), np.full(6, -3.0), [rest]))
     np.testing.assert_array_equal(EFFECT.wrench(RUN, RUN.nominal, theta), RUN.nominal)
+
+
+def test_what_may_be_held_back_makes_it_snap_in_this_run() -> None:
+    upper = np.exp([p.upper for p in EFFECT.parameters(RUN)[6:12]]) * full_scale(RUN, RUN.nominal)
+    wide = np.ptp(RUN.nominal, axis=0) > 0.06 * full_scale(RUN, RUN.nominal)
+    np.testing.assert_allclose(upper[wide], 0.5 * np.ptp(RUN.nominal, axis=0)[wide])
+    assert wide.any()

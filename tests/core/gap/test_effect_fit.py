@@ -9,13 +9,16 @@ import numpy as np
 import pytest
 
 from core.effects.base_tilt import BaseTilt
+from core.effects.channels import full_scale
+from core.effects.hysteresis_that_snaps import HysteresisThatSnaps
 from core.effects.payload_shift import PayloadShift
 from core.effects.sensor_translation import SensorTranslation
 from core.gap.basis import basis_of
 from core.gap.effect_fit import fit_effects, fit_nominal, predict_held_out
-from core.gap.problem import SMALL
+from core.gap.problem import SMALL, parameters_of
 from core.gap.windows import Windows
 from tests.foreign_recordings import make_long
+from tests.synthetic import payload, record, run_of
 
 
 @pytest.mark.parametrize("precision_of_the_last", [1.0, 1e-14])
@@ -57,3 +60,10 @@ def test_an_imperfection_at_its_bound_is_exactly_there_and_stays_there_while_mot
         held = np.isclose(small, bounds, rtol=1e-9, atol=0.0)
         assert held.any() and (small[held] == bounds[held]).all()
         assert fit.held_out.mean() > np.square(fit.residual).mean() > 2.0
+
+
+def test_what_a_parameter_may_be_is_asked_of_the_run_with_its_payload() -> None:
+    windows = Windows(basis_of(record(run_of(repetitions=1, period=0.008), payload("steel_block"), np.random.default_rng(1))))
+    nominal = windows.basis.scene.with_phi(windows.phi).nominal
+    most = max(np.exp(p.upper) for p in parameters_of(windows, HysteresisThatSnaps())[6:9])
+    assert most == pytest.approx(0.5 * (np.ptp(nominal, axis=0) / full_scale(windows.basis.scene, nominal))[:3].max())
