@@ -12,8 +12,7 @@ from core.effects.filters import delay_each, delay_signal
 from core.effects.scene import Scene
 from core.effects.splines import smooth_by_splines
 from core.effects.time_delay import TimeDelay
-from core.effects.window_search import ROWS, weights
-from core.payload.inertia import regressor
+from core.effects.window_search import ROWS, columns_of_payload_and_offsets, weights
 from core.words.message import Message
 
 BIN_S, MOST_BINS = 0.2, 400
@@ -81,11 +80,10 @@ def _find_growth(scene: Scene, residual: Array, late: float) -> Array | None:
     piece_s = max(BIN_S, long_s / MOST_BINS)
     if long_s < 2 * SHORTEST * piece_s:
         return None
-    rows, scale = slice(0, None, max(1, len(scene) // ROWS)), weights(scene)
+    rows = slice(0, None, max(1, len(scene) // ROWS))
     slope = -np.gradient(delay_signal(scene.nominal, late / scene.period), t, axis=0)
-    column = smooth_by_splines(slope, scene.period, scene.residual_window)[rows] * scale
-    known = np.concatenate([regressor(scene.motion[rows]), np.broadcast_to(np.eye(6), (len(column), 6, 6))], axis=2) * scale[:, None]
-    Q = np.linalg.svd(known.reshape(-1, known.shape[2]), full_matrices=False)[0]
+    column = smooth_by_splines(slope, scene.period, scene.residual_window)[rows] * weights(scene)
+    Q = np.linalg.qr(columns_of_payload_and_offsets(scene, rows).reshape(column.size, -1))[0]
     seen = residual[rows].ravel()
     r = (seen - Q @ (Q.T @ seen)).reshape(-1, 6)
     which = ((t[rows] - t[0]) / piece_s).astype(int)

@@ -12,9 +12,8 @@ from core.effects.channels import find_largest_channel, full_scale, shares
 from core.effects.effect import Parameter
 from core.effects.scene import Scene
 from core.effects.sensor_hysteresis import SensorHysteresis
-from core.effects.window_search import ROWS, weights
+from core.effects.window_search import ROWS, columns_of_payload_and_offsets
 from core.payload.channels import CHANNELS
-from core.payload.inertia import regressor
 from core.words.message import Message
 
 MOST_SHARE = 0.5
@@ -22,7 +21,7 @@ MOST_SHARE = 0.5
 USUAL, LEAST_MOST = 0.01, 0.03
 """Of full scale, that is held back as a rule, and that may be held back in a channel that hardly changes."""
 HOLDS = np.geomspace(0.003, MOST_SHARE, 80)
-"""Shares of it looked at before a fit."""
+"""Shares of that change looked at before a fit."""
 RESTS = (0.0, 0.3)
 """Shares of it that a snap may leave."""
 SEEN = 0.01
@@ -84,10 +83,9 @@ def _find_sawteeth(scene: Scene, residual: Array, rest: float) -> Array:
     """(13,), parameters with the sawteeth that look most like a residual (N, 6), one channel after the other (orthogonal matching pursuit);
     what payload and offsets take up does not count. Channels without one hold nothing back."""
     rows = slice(0, None, max(1, len(scene) // ROWS))
-    w, scale, r = scene.nominal, weights(scene), residual[rows].T.ravel()
+    w, r = scene.nominal, residual[rows].T.ravel()
     n = len(r) // 6
-    nuisance = np.concatenate([regressor(scene.motion[rows]), np.broadcast_to(np.eye(6), (n, 6, 6))], axis=2) * scale[:, None]
-    Q = np.linalg.qr(nuisance.transpose(1, 0, 2).reshape(6 * n, -1))[0]
+    Q = np.linalg.qr(columns_of_payload_and_offsets(scene, rows).transpose(1, 0, 2).reshape(6 * n, -1))[0]
     full, theta = full_scale(scene, w), np.array([p.absent for p in HysteresisThatSnaps().parameters(scene)])
     theta[12], least = rest, SEEN * float(r @ r)
     holds = np.outer(np.ptp(w, axis=0), HOLDS)

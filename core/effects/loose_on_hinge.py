@@ -12,8 +12,8 @@ from core.effects.payload_loose import PayloadLoose
 from core.effects.rigid_body import centre_of_mass
 from core.effects.scene import Scene
 from core.effects.vectors import add_force, find_specific_force, load_of_moment
-from core.effects.window_search import ROWS, weights
-from core.payload.inertia import Motion, regressor
+from core.effects.window_search import ROWS, columns_of_payload_and_offsets, weights
+from core.payload.inertia import Motion
 from core.words.message import Message
 
 LONGEST_STEP_S = 0.0025
@@ -55,7 +55,8 @@ class LooseOnHinge(PayloadLoose):
         if not theta[:3].any():
             return w.copy()
         r = centre_of_mass(scene) + theta[7:]
-        return np.asarray(add_force(w, *_compute_load(scene.motion, r, scene.period, theta)))
+        force, torque = _compute_load(scene.motion, r, scene.period, theta)
+        return np.asarray(add_force(w, force, r, torque))
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """Twins keep the one that swings."""
@@ -65,15 +66,14 @@ class LooseOnHinge(PayloadLoose):
         """The hinges whose part looks most like the residual; what payload and offsets take up does not count."""
         rows = slice(0, None, max(1, len(scene) // ROWS))
         motion, r, period = scene.motion[rows], centre_of_mass(scene), scene.period * rows.step
-        scale, wanted = weights(scene)[:, None], residual[rows].T
-        nuisance = np.concatenate([regressor(motion), np.broadcast_to(np.eye(6), (wanted.shape[1], 6, 6))], axis=2).transpose(1, 0, 2)
-        Q = np.linalg.svd((nuisance * scale[:, None]).reshape(wanted.size, -1), full_matrices=False)[0]
+        scale, wanted = weights(scene), residual[rows]
+        Q = np.linalg.qr(columns_of_payload_and_offsets(scene, rows).reshape(wanted.size, -1))[0]
         found = []
         for axis in AXES:
             for turn in TURNS_RAD:
                 theta = np.array([*(START_KG_M * axis / np.linalg.norm(axis)), START_HZ, START_DAMPING, START_FRICTION, turn, *[0.0] * 3])
-                force, place, torque = _compute_load(motion, r, period, theta)
-                added = (add_force(np.zeros((len(force), 6)), force, place, torque).T * scale).ravel()
+                force, torque = _compute_load(motion, r, period, theta)
+                added = (add_force(np.zeros_like(wanted), force, r, torque) * scale).ravel()
                 added -= Q @ (Q.T @ added)
                 along = float(added @ wanted.ravel())
                 found.append((along * abs(along) / max(float(added @ added), 1e-12), theta))
@@ -85,8 +85,8 @@ class LooseOnHinge(PayloadLoose):
         return Message.of("advice-payload-loose-hinge", first_moment_kg_m=float(np.linalg.norm(theta[:3])))
 
 
-def _compute_load(motion: Motion, r: Array, period: float, theta: Array) -> tuple[Array, Array, Array]:
-    """Force (N, 3) at its place r (3,) and torque (N, 3) beside it of what has turned since the first row."""
+def _compute_load(motion: Motion, r: Array, period: float, theta: Array) -> tuple[Array, Array]:
+    """Force at r (3,) and torque beside it, (N, 3) each, of what has turned since the first row."""
     moment, w = float(np.linalg.norm(theta[:3])), 2.0 * np.pi * theta[3]
     e = theta[:3] / moment
     b = find_specific_force(motion, r)
@@ -98,7 +98,7 @@ def _compute_load(motion: Motion, r: Array, period: float, theta: Array) -> tupl
     angle, rate = _turn(b @ u, b @ v, motion.alpha @ e, period, w * w / GRAVITY, 2.0 * theta[4] * w, theta[5] * w * w, theta[6])
     change = np.gradient(rate, period)
     force, torque = load_of_moment(motion.omega, motion.alpha, b, *_move(angle, rate, change, moment * u, moment * v))
-    return force, r, torque + (moment * GRAVITY / (w * w) * change)[:, None] * e
+    return force, torque + (moment * GRAVITY / (w * w) * change)[:, None] * e
 
 
 @njit(cache=True)

@@ -8,9 +8,8 @@ from core.array import Array
 from core.effects.channels import SUFFIXES, expand_to_channels, say_load
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
-from core.effects.window_search import ROWS, weights
+from core.effects.window_search import ROWS, columns_of_payload_and_offsets, weights
 from core.payload.channels import CHANNELS, UNITS
-from core.payload.inertia import regressor
 from core.words.message import Message
 
 SHARES = np.linspace(0.08, 0.98, 16)
@@ -98,9 +97,7 @@ def _find_limits(scene: Scene, residual: Array) -> list[tuple[int, float]]:
     """
     rows = slice(0, None, max(1, len(scene) // ROWS))
     w, scale, r = scene.nominal[rows], weights(scene), residual[rows].T.ravel()
-    offsets = np.broadcast_to(np.eye(6), (len(w), 6, 6))
-    nuisance = np.concatenate([regressor(scene.motion[rows]), offsets], axis=2) * scale[:, None]
-    Q, _ = np.linalg.qr(nuisance.transpose(1, 0, 2).reshape(6 * len(w), 16))
+    Q, _ = np.linalg.qr(columns_of_payload_and_offsets(scene, rows).transpose(1, 0, 2).reshape(6 * len(w), 16))
     sides = {k: (1.0 if k < 6 else -1.0) * w[:, k % 6] for k in range(12)}
     columns = {k: scale[k % 6] * _cut_off(x) * (1.0 if k < 6 else -1.0) for k, x in sides.items() if x.max() > 0}
     seen: list[tuple[int, float]] = []

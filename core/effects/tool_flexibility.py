@@ -8,8 +8,8 @@ from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.effects.oscillator import oscillate, spectral_peaks
 from core.effects.scene import Scene
-from core.effects.window_search import weights
-from core.payload.inertia import regressor, spatial_inertia
+from core.effects.window_search import columns_of_payload_and_offsets, weights
+from core.payload.inertia import spatial_inertia
 from core.payload.rotations import cross
 from core.words.message import Message
 
@@ -109,10 +109,8 @@ class _Search:
         self.unit = np.array([size for *_, size in SHAPE])
         self.moments = spatial_inertia(scene.phi) * self.unit
         self.force = -scene.nominal * self.unit
-        constant = np.broadcast_to(np.eye(6), (len(scene), 6, 6))
-        known = np.concatenate([regressor(scene.motion), constant], axis=2)[self.rows] * self.weights[:, None]
         sag = self.columns(self.force, np.zeros_like(self.force))
-        known = np.concatenate([known.reshape(-1, 16), sag], axis=1)
+        known = np.concatenate([columns_of_payload_and_offsets(scene, self.rows).reshape(-1, 16), sag], axis=1)
         self.known, _ = np.linalg.qr(known / np.maximum(np.linalg.norm(known, axis=0), 1e-12))
         self.residual = self.remove_known(residual[self.rows].reshape(-1, 1))[:, 0]
 

@@ -31,6 +31,12 @@ def weights(scene: Scene) -> Array:
     return np.array([1.0, 1.0, 1.0, *[1.0 / LEVER] * 3])
 
 
+def columns_of_payload_and_offsets(scene: Scene, rows: slice) -> Array:
+    """(n, 6, 16), what payload and offsets take up of a residual in those rows of the scene, weighed as it is."""
+    V = regressor(scene.motion[rows])
+    return np.concatenate([V, np.broadcast_to(np.eye(6), (len(V), 6, 6))], axis=2) * weights(scene)[:, None]
+
+
 def best_windows(
     scene: Scene, residual: Array, columns: Array, count: int, *, open_end: bool, longest_s: float = np.inf
 ) -> list[tuple[float, float]]:
@@ -133,9 +139,9 @@ class _Gain(NamedTuple):
     def of(cls, scene: Scene, residual: Array, columns: Array, rows: slice) -> _Gain:
         scale = weights(scene)
         X = (columns[rows] * scale[:, None]).transpose(0, 2, 1)
-        V = regressor(scene.motion[rows]) * scale[:, None]
-        Z = np.concatenate([V, np.broadcast_to(np.eye(6), (len(V), 6, 6))], axis=2)
-        inverse = np.linalg.pinv(np.tensordot(Z, Z, axes=((0, 1), (0, 1))), rcond=1e-9, hermitian=True)
+        Z = columns_of_payload_and_offsets(scene, rows)
+        normal = np.tensordot(Z, Z, axes=((0, 1), (0, 1)))
+        inverse = np.asarray(np.linalg.pinv(normal, rcond=1e-9, hermitian=True), dtype=np.float64)
         sums = (_integral(X @ X.transpose(0, 2, 1)), _integral(X @ Z), _integral(X @ residual[rows][:, :, None]))
         return cls(*sums, inverse, inverse @ np.tensordot(Z, residual[rows], axes=((0, 1), (0, 1))))
 
