@@ -18,6 +18,8 @@ SEEN = 25.0
 """Chi-square that a limit has to explain to be one."""
 CORNER = 0.02
 """Share of the limit over which it is rounded where nothing else is known."""
+NONE = 1e-9
+"""1/N or 1/(N m), the reciprocal of a limit that no load reaches."""
 FAINT = 0.01
 """Share of what the first limit explains that each other one has to explain."""
 
@@ -54,9 +56,9 @@ class SensorSaturation(Effect):
         """`clip(w, -1/l, 1/u)` in each channel with rounded corners; a reciprocal of zero is no limit."""
         W = w.copy()
         for j in range(6):
-            if theta[j] > 0:
+            if theta[j] > NONE:
                 W[:, j] = limit_softly(W[:, j], 1 / theta[j], theta[12])
-            if theta[6 + j] > 0:
+            if theta[6 + j] > NONE:
                 W[:, j] = -limit_softly(-W[:, j], 1 / theta[6 + j], theta[12])
         return W
 

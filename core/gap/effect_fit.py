@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from itertools import accumulate
+from operator import itemgetter
 
 import numpy as np
 
@@ -21,8 +22,10 @@ from core.gap.windows import PHI, Windows
 ITERATIONS = 24
 CONVERGED = 0.02
 """Fall of the cost below which the fit has ended, in units of chi-square,"""
-MISFIT = 50.0
-"""and so many times what it leaves over per row beyond chance, where the model is not exact."""
+CONVERGED_SHARE = 3e-4
+"""or as a share of what it leaves over beyond chance, where the model is not exact."""
+PROMISING = 2
+"""Starting values that are followed beyond their first step."""
 
 
 @dataclass(frozen=True)
@@ -118,8 +121,10 @@ def fit_effects(
     problem = Problem(windows, effects, first)
     fitted = np.arange(len(problem.absent)) < (len(problem.absent) if first is None else first)
     thetas = [np.where(fitted, theta, problem.absent) for theta in thetas]
-    candidates = [descend(problem, start.beta, np.clip(theta, problem.lower, problem.upper), iterations=2) for theta in thetas]
-    _, beta, theta = min(candidates, key=lambda found: found[0])
+    begun = [descend(problem, start.beta, np.clip(theta, problem.lower, problem.upper), iterations=1) for theta in thetas]
+    promising = sorted(begun, key=itemgetter(0))[:PROMISING]
+    followed = promising if len(promising) == 1 else [descend(problem, beta, theta, iterations=1) for _, beta, theta in promising]
+    _, beta, theta = min(followed, key=itemgetter(0))
     _, beta, theta = descend(problem, beta, theta, iterations=ITERATIONS)
     return replace(_finish(problem, beta, theta), kept_absent=0 if first is None else len(theta) - first)
 
@@ -132,7 +137,7 @@ def descend(problem: Problem, beta: Array, theta: Array, *, iterations: int) -> 
         new_cost = problem.cost(new_beta, new_theta)
         if new_cost < cost:
             fell, cost, beta, theta, damping = cost - new_cost, new_cost, new_beta, new_theta, damping * 0.1
-            if fell < CONVERGED * max(1.0, MISFIT * (cost / len(problem.target) - 1.0)):
+            if fell < max(CONVERGED, CONVERGED_SHARE * (cost - len(problem.target))):
                 break
         elif damping > 1e3:
             break

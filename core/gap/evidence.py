@@ -33,7 +33,7 @@ stands for several at once bends best alone, and is left out again: so then is e
 MOST_TOGETHER, EXCHANGES = 3, 3
 EQUATIONS = 5
 """For each parameter of several effects at once, at least: a list of poses has few, and much would fit it."""
-ONE_IS_ENOUGH = 0.01
+ONE_IS_ENOUGH = 0.003
 """Share of the excess left over by one effect below which a second one is not sought: it would only pick up what a model gets wrong."""
 ONE_IS_CLEAR = 3e-4
 """The same below which no effect is started from the rows that most agree on: what spoils the first estimate leaves more to the others."""
@@ -102,13 +102,14 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     scene = windows.basis.scene.with_phi(nominal.phi)
     absences = {effect: _explain_absence(effect, scene, at_rest=windows.basis.rows.at_rest) for effect in effects}
     shown = [effect for effect, reason in absences.items() if reason is None]
-    singles = _fit_singles(windows, nominal, shown, fit_all)
+    wider = [effect for effect in wider_shapes() if effect.id in {each.id for each in shown}]
+    singles = _fit_singles(windows, nominal, shown, wider, fit_all)
     gears = find_sound_gears(windows, nominal, singles, fit_all)
     if gears is not None:
         windows = hold_gears(windows, gears)
         nominal = fit_nominal(windows)
         singles = fit_all(windows, [_fit_again(fit, nominal) for fit in singles])
-    grown = _join(windows, nominal, singles, shown, fit_all)
+    grown = _join(windows, nominal, singles, [*shown, *wider], fit_all)
     alone = [task for fit in grown[:1] for task in take_each_alone(windows, fit)]
     singles = choose_variants(nominal, [*singles, *fit_all(windows, alone)]) if alone else singles
     joined = _find_needed(nominal, singles, grown)
@@ -116,10 +117,9 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     return Evidence(windows, nominal, tuple(singles), tuple(joined), attribution, describe_limits(absences))
 
 
-def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:
+def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wider: list[Effect], fit_all: FitAll) -> list[EffectFit]:
     """Each effect by itself, in the shape that is most probable."""
     scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
-    wider = [effect for effect in wider_shapes() if effect.id in {each.id for each in effects}]
     known = {term.effect.id: [term.theta] for term in windows.held}
     tasks = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in effects]
     richer = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider if effect.id not in known]
@@ -177,26 +177,28 @@ def describe_limits(reasons: Mapping[Effect, Message | None]) -> tuple[Message, 
 
 
 def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:
-    """Two effects at once, where one leaves something to explain, and where two do, three; each set once, as well as it was fitted, those
-    of most effects first, and of as many the best."""
-    fitted = {fit.name: fit for fit in singles}
+    """Two effects at once, where one leaves something to explain, and where two do, three; each set once, in the shapes that are most
+    probable, those of most effects first, and of as many the best."""
     firsts = sorted(singles, key=lambda fit: fit.chi_square)[:FIRSTS]
     if not firsts or find_left_share(nominal, firsts[0]) < ONE_IS_ENOUGH or probabilities(nominal, singles)[0] > EXPLAINED:
         return []
+    fitted = {fit.name: fit for fit in singles}
     found: list[EffectFit] = []
     while find_left_share(nominal, firsts[0]) > ONE_IS_ENOUGH and len(firsts[0].effects) < MOST_TOGETHER:
-        seen, grown = {first.name for first in firsts}, _fit_with_partners(windows, firsts, effects, fit_all)
+        seen, grown = {first.name for first in firsts}, _fit_with_partners(windows, nominal, firsts, effects, fit_all)
         for _ in range(EXCHANGES):
             rests = [rest for fit in grown[:1] for rest in leave_out_each(windows, fit) if rest.name not in seen]
             if not rests:
                 break
             seen |= {rest.name for rest in rests}
             fitted |= {fit.name: fit for fit in fit_all(windows, [rest for rest in rests if rest.name not in fitted])}
-            grown = _take_each_once([*grown, *_fit_with_partners(windows, [fitted[rest.name] for rest in rests], effects, fit_all)])
+            further = _fit_with_partners(windows, nominal, [fitted[rest.name] for rest in rests], effects, fit_all)
+            grown = _take_each_once(nominal, [*grown, *further])
         if not grown:
             break
         firsts, found = grown[:1], [*grown, *found]
-    return found
+    rests_of_three = [fit for fit in fitted.values() if len(fit.effects) > 1]
+    return sorted(_take_each_once(nominal, [*found, *rests_of_three]), key=lambda fit: -len(fit.effects))
 
 
 def _find_needed(nominal: EffectFit, singles: list[EffectFit], joined: list[EffectFit]) -> list[EffectFit]:
@@ -206,12 +208,14 @@ def _find_needed(nominal: EffectFit, singles: list[EffectFit], joined: list[Effe
     return [fit for fit in few if find_left_share(nominal, fit) < FURTHER_EXPLAINS**fit.further * least]
 
 
-def _fit_with_partners(windows: Windows, firsts: list[EffectFit], effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:
+def _fit_with_partners(
+    windows: Windows, nominal: EffectFit, firsts: list[EffectFit], effects: list[Effect], fit_all: FitAll
+) -> list[EffectFit]:
     """Each with one effect more, the best first."""
-    return _take_each_once(fit_all(windows, [task for first in firsts for task in partners(windows, first, effects, FURTHER)]))
+    tasks = [task for first in firsts for task in partners(windows, first, effects, FURTHER)]
+    return _take_each_once(nominal, fit_all(windows, tasks))
 
 
-def _take_each_once(fits: list[EffectFit]) -> list[EffectFit]:
-    """The best fit of each set of effects, the best first: of what is left, the smaller one (Schwarz's criterion)."""
-    once = {fit.name: fit for fit in sorted(fits, key=lambda fit: -fit.cost)}
-    return sorted(once.values(), key=lambda fit: fit.chi_square + fit.free * float(np.log(fit.rows)))
+def _take_each_once(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:
+    """Each set of effects in the shapes that are most probable, the best first: of what is left, the smaller one (Schwarz's criterion)."""
+    return sorted(choose_variants(nominal, fits), key=lambda fit: fit.chi_square + fit.free * float(np.log(fit.rows)))

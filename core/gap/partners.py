@@ -15,8 +15,8 @@ from core.gap.fit_all import Task
 from core.gap.problem import Problem, parameters_of
 from core.gap.windows import Windows
 
-STARTS = 2
-"""How many of an effect's starting values are looked at."""
+AS_MUCH = 0.5
+"""Share of what the best shape of an effect would explain from which another one of its shapes is fitted as well."""
 
 
 class Partner(NamedTuple):
@@ -32,7 +32,7 @@ def partners(windows: Windows, first: EffectFit, effects: Sequence[Effect], coun
 
     Args:
         first: the fit of one effect or more.
-        effects: candidates for a further one; those of the fit are passed over.
+        effects: candidates for a further one, in all their shapes; those of the fit are passed over.
         count: how many additions.
     """
     known = Problem(windows, first.effects)
@@ -44,12 +44,18 @@ def partners(windows: Windows, first: EffectFit, effects: Sequence[Effect], coun
         _join(known, first, columns, normal, Problem(windows, (effect,)), theta)
         for effect in effects
         if effect.id not in {each.id for each in first.effects}
-        for theta in effect.starts(scene, residual)[:STARTS]
+        for theta in effect.starts(scene, residual)
     ]
-    best: dict[str, Partner] = {}
+    best: dict[str, dict[type[Effect], Partner]] = {}
     for partner in sorted(found, key=lambda partner: -partner.gain):
-        best.setdefault(partner.effect.id, partner)
-    return [add_effect(windows, first, partner.effect, [partner.theta]) for partner in list(best.values())[:count]]
+        best.setdefault(partner.effect.id, {}).setdefault(type(partner.effect), partner)
+    chosen = [partner for shapes in list(best.values())[:count] for partner in _drop_poor(list(shapes.values()))]
+    return [add_effect(windows, first, partner.effect, [partner.theta]) for partner in chosen]
+
+
+def _drop_poor(shapes: list[Partner]) -> list[Partner]:
+    """Of the shapes of one effect, the best first, those that promise as much."""
+    return [shape for shape in shapes if shape.gain >= AS_MUCH * shapes[0].gain]
 
 
 def add_effect(windows: Windows, fit: EffectFit, effect: Effect, thetas: list[Array]) -> Task:
