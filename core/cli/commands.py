@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from importlib import import_module
 from typing import Any, NamedTuple
 
@@ -76,6 +77,9 @@ class EngineCommands(TyperGroup):
         """The command that is asked for, imported."""
         name, command, rest = super().resolve_command(ctx, args)
         if name in COMMANDS:
+            gc.disable()  # nothing of what is imported is garbage, and looking for some takes a tenth of a short command
             command = get_command(import_module(COMMANDS[name].module).app)
+            gc.freeze()
+            gc.enable()
             command.name = name
         return name, command, rest

@@ -1,6 +1,7 @@
 """Derivatives without lag from polynomials through the samples around each one (Savitzky and Golay 1964).
 
-SciPy has it in `scipy.signal`, which loads all of `scipy.stats`: a third of a second of processor time before anything is estimated.
+SciPy has it in `scipy.signal`, which loads all of `scipy.stats`: a third of a second of processor time before anything is estimated, and
+`scipy.ndimage` takes half as long.
 """
 
 from __future__ import annotations
@@ -8,7 +9,6 @@ from __future__ import annotations
 from math import factorial
 
 import numpy as np
-from scipy.ndimage import correlate1d
 
 from core.array import Array
 
@@ -31,7 +31,9 @@ def weights_of(length: int, degree: int, order: int, period: float, at: Array | 
 
 def derive_with_ends_held(x: Array, length: int, degree: int, order: int, period: float) -> Array:
     """(N, ...), of samples (N, ...), as if the first and the last of them had been there for ever."""
-    return np.asarray(correlate1d(x, weights_of(length, degree, order, period), axis=0, mode="nearest"))
+    weights, half = weights_of(length, degree, order, period), length // 2
+    held = np.concatenate([np.repeat(x[:1], half, axis=0), x, np.repeat(x[-1:], half, axis=0)]).reshape(len(x) + 2 * half, -1)
+    return np.stack([np.correlate(column, weights, "valid") for column in held.T], axis=-1).reshape(x.shape)
 
 
 def derive(x: Array, length: int, degree: int, order: int = 0, period: float = 1.0) -> Array:

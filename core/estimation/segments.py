@@ -7,7 +7,6 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import uniform_filter1d
 
 from core.array import Array
 
@@ -110,8 +109,12 @@ def motionless(t: Array, segments: tuple[Segment, ...]) -> Bools:
 
 
 def smooth_by_average(x: Array, samples: int) -> Array:
-    """Centred moving average along the first axis."""
-    return np.asarray(uniform_filter1d(x, max(1, samples), axis=0, mode="nearest"))
+    """Centred moving average along the first axis, as if the first and the last sample had been there for ever."""
+    samples = max(1, samples)
+    before, after = samples // 2, samples - 1 - samples // 2
+    held = np.concatenate([np.repeat(x[:1], before + 1, axis=0), x, np.repeat(x[-1:], after, axis=0)])
+    total = np.cumsum(held, axis=0)
+    return np.asarray((total[samples:] - total[:-samples]) / samples)
 
 
 def hold_label(g: Array) -> str:

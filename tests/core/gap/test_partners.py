@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from bench.calibration.planting import plant_trial
 from core.array import Array
 from core.effects.library import library
@@ -17,6 +19,14 @@ from core.gap.windows import Windows
 
 LEAK = 177
 """A payload that leaks."""
+TOGETHER = {
+    "a slip from its fifth start": (133, ("sensor_saturation", "payload_shift", "payload_mass_change", "sensor_offset_step")),
+    "play whose side is held": (353, ("sensor_saturation", "joint_backlash", "joint_offset", "cable_drag")),
+    "a drift with one rate, not a gain that warms up": (410, ("time_delay", "sensor_drift", "sensor_gain", "sensor_lowpass")),
+    "two of three": (367, ("sensor_saturation", "sensor_creep", "sensor_gain", "sensor_offset_step", "sensor_nonlinearity")),
+    "where one leaves half a per cent": (403, ("payload_mass_change", "base_tilt", "external_contact", "sensor_drift")),
+}
+"""Seeds of trials with two causes, and effects among which they are sought."""
 
 
 class FromOneJump(PayloadMassChange):
@@ -51,3 +61,11 @@ def test_each_effect_of_a_fit_is_taken_with_its_own_values() -> None:
     tasks = take_each_alone(windows, fit)
     assert [task.effects for task in tasks] == [(effect,) for effect in both]
     assert [value for task in tasks for value in task.thetas[0]] == fit.theta.tolist()
+
+
+@pytest.mark.parametrize(("seed", "names"), TOGETHER.values(), ids=TOGETHER)
+def test_two_causes_are_named_together(seed: int, names: tuple[str, ...]) -> None:
+    planted = plant_trial(seed)
+    evidence = gather(Windows(basis_of(planted.recording)), [effect for effect in library() if effect.id in names], one_by_one)
+    assert tuple(sorted(effect.id for effect in evidence.best.effects)) == planted.families
+    assert evidence.verdict == "explained"
