@@ -30,6 +30,8 @@ EXPLAINED = 0.5
 FIRSTS, FURTHER = 2, 3
 """A second effect is sought for the best two single ones, a third for the best pair; the three most promising ones of each are fitted. What
 stands for several at once bends best alone, and is left out again: so then is each of the best set, and others are sought in its place."""
+BESIDE = 6
+"""Single effects beside which their richer shapes are sought: of a clock that runs off a constant delay explains little."""
 MOST_TOGETHER, EXCHANGES = 3, 3
 EQUATIONS = 5
 """For each parameter of several effects at once, at least: a list of poses has few, and much would fit it."""
@@ -134,12 +136,13 @@ def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wi
 
 
 def _start_beside(windows: Windows, nominal: EffectFit, singles: list[EffectFit], wider: list[Effect]) -> Iterator[Task]:
-    """Richer shapes that show only beside the plain one, of the effects that explain most and leave something."""
-    for fit in sorted(singles, key=lambda fit: fit.chi_square)[:FIRSTS]:
-        if fit.effects[0].wider_shape or find_left_share(nominal, fit) < ONE_IS_CLEAR:
-            continue
+    """Richer shapes that show only beside the plain one, of the effects that explain most where none explains all."""
+    promising = sorted(singles, key=lambda fit: fit.chi_square)[:BESIDE]
+    if not promising or find_left_share(nominal, promising[0]) < ONE_IS_CLEAR:
+        return
+    for fit in promising:
         scene, residual = windows.basis.scene.with_phi(fit.phi), windows.on_grid(fit.residual)
-        for effect in wider:
+        for effect in wider if not fit.effects[0].wider_shape else ():
             if effect.id == fit.name:
                 yield Task((effect,), fit, effect.starts_beside(scene, residual, fit.theta))
 

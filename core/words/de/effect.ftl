@@ -64,8 +64,6 @@ effect-force-and-torque = { SIGNIFICANT($force_n, digits: 2) } N in { $force_cha
 effect-angle = { DEGREES($angle_rad, digits: 2) }°
 
 # The names of parameters, put together: of what ("joint 3", "fx"), what, along which axis.
-effect-parameter-over-the-turn-cos = Änderung über die Umdrehung, Kosinusanteil
-effect-parameter-over-the-turn-sin = Änderung über die Umdrehung, Sinusanteil
 effect-parameter-part = { $first } { $then }
 effect-parameter-about = um
 effect-parameter-acceleration = Beschleunigung
@@ -119,8 +117,6 @@ effect-parameter-place = Ort
 effect-parameter-pull = Zug
 effect-parameter-rectification = Gleichrichtung
 effect-parameter-rest = Anteil, den ein Sprung lässt
-effect-parameter-second-harmonic-cos = Kosinusanteil der zweiten Harmonischen
-effect-parameter-second-harmonic-sin = Sinusanteil der zweiten Harmonischen
 effect-parameter-second-order = Anteil zweiter Ordnung
 effect-parameter-settling-rate = Einschwingrate
 effect-parameter-sin = Sinusanteil

@@ -64,8 +64,6 @@ effect-force-and-torque = { SIGNIFICANT($force_n, digits: 2) } N in { $force_cha
 effect-angle = { DEGREES($angle_rad, digits: 2) } deg
 
 # The names of parameters, put together: of what ("joint 3", "fx"), what, along which axis.
-effect-parameter-over-the-turn-cos = change over the turn, cosine
-effect-parameter-over-the-turn-sin = change over the turn, sine
 effect-parameter-part = { $first } { $then }
 effect-parameter-about = about
 effect-parameter-acceleration = acceleration
@@ -119,8 +117,6 @@ effect-parameter-place = place
 effect-parameter-pull = pull
 effect-parameter-rectification = rectification
 effect-parameter-rest = share that a snap leaves
-effect-parameter-second-harmonic-cos = cosine of the second harmonic
-effect-parameter-second-harmonic-sin = sine of the second harmonic
 effect-parameter-second-order = second-order share
 effect-parameter-settling-rate = settling rate
 effect-parameter-sin = sine part
