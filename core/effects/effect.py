@@ -65,6 +65,8 @@ class Effect(ABC):
     """Whether this is a richer shape of an effect that the library has under the same identifier: fitted beside it, never in a twin."""
     starts_from_most: ClassVar[bool] = False
     """Whether it spoils the payload's first estimate so much that a fit has to start from the rows which it leaves alone."""
+    followed: ClassVar[int] = 1
+    """How many of its starting values a fit follows to the end: more than the best one where steps and kinks make many valleys."""
     only_adds: ClassVar[bool] = False
     """Whether what it adds to the wrench does not depend on that wrench, so that noise in it passes as it is."""
     jumps: ClassVar[bool] = False

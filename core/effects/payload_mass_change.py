@@ -22,6 +22,7 @@ class PayloadMassChange(Effect):
     id = "payload_mass_change"
     title = Message.of("effect-payload-mass-change-title")
     stage = "payload"
+    followed = 4
     only_adds = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:

@@ -35,6 +35,7 @@ class SensorSaturation(Effect):
     title = Message.of("effect-sensor-saturation-title")
     stage = "sensor"
     starts_from_most = True
+    followed = 4
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Reciprocals of six upper limits, then of six lower ones, 1/N and 1/(N m), and the corner of all of them as a share."""

@@ -24,8 +24,6 @@ CONVERGED = 0.02
 """Fall of the cost below which the fit has ended, in units of chi-square,"""
 CONVERGED_SHARE = 3e-4
 """or as a share of what it leaves over beyond chance, where the model is not exact."""
-PROMISING = 2
-"""Starting values that are followed beyond their first step."""
 
 
 @dataclass(frozen=True)
@@ -121,11 +119,9 @@ def fit_effects(
     problem = Problem(windows, effects, first)
     fitted = np.arange(len(problem.absent)) < (len(problem.absent) if first is None else first)
     thetas = [np.where(fitted, theta, problem.absent) for theta in thetas]
-    begun = [descend(problem, start.beta, np.clip(theta, problem.lower, problem.upper), iterations=1) for theta in thetas]
-    promising = sorted(begun, key=itemgetter(0))[:PROMISING]
-    followed = promising if len(promising) == 1 else [descend(problem, beta, theta, iterations=1) for _, beta, theta in promising]
-    _, beta, theta = min(followed, key=itemgetter(0))
-    _, beta, theta = descend(problem, beta, theta, iterations=ITERATIONS)
+    begun = [descend(problem, start.beta, np.clip(theta, problem.lower, problem.upper), iterations=2) for theta in thetas]
+    promising = sorted(begun, key=itemgetter(0))[: max(effect.followed for effect in effects)]
+    _, beta, theta = min((descend(problem, beta, theta, iterations=ITERATIONS) for _, beta, theta in promising), key=itemgetter(0))
     return replace(_finish(problem, beta, theta), kept_absent=0 if first is None else len(theta) - first)
 
 

@@ -35,7 +35,7 @@ BESIDE = 6
 MOST_TOGETHER, EXCHANGES = 3, 3
 EQUATIONS = 5
 """For each parameter of several effects at once, at least: a list of poses has few, and much would fit it."""
-ONE_IS_ENOUGH = 0.003
+ONE_IS_ENOUGH = 0.005
 """Share of the excess left over by one effect below which a second one is not sought: it would only pick up what a model gets wrong."""
 ONE_IS_CLEAR = 3e-4
 """The same below which no effect is started from the rows that most agree on: what spoils the first estimate leaves more to the others."""

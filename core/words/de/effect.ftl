@@ -64,6 +64,7 @@ effect-force-and-torque = { SIGNIFICANT($force_n, digits: 2) } N in { $force_cha
 effect-angle = { DEGREES($angle_rad, digits: 2) }°
 
 # The names of parameters, put together: of what ("joint 3", "fx"), what, along which axis.
+effect-parameter-kept = bleibender Anteil
 effect-parameter-part = { $first } { $then }
 effect-parameter-about = um
 effect-parameter-acceleration = Beschleunigung
@@ -115,6 +116,7 @@ effect-parameter-noise-factor = Rauschfaktor
 effect-parameter-over = Dauer
 effect-parameter-place = Ort
 effect-parameter-pull = Zug
+effect-parameter-recovery = Erholungszeit
 effect-parameter-rectification = Gleichrichtung
 effect-parameter-rest = Anteil, den ein Sprung lässt
 effect-parameter-second-order = Anteil zweiter Ordnung

@@ -64,6 +64,7 @@ effect-force-and-torque = { SIGNIFICANT($force_n, digits: 2) } N in { $force_cha
 effect-angle = { DEGREES($angle_rad, digits: 2) } deg
 
 # The names of parameters, put together: of what ("joint 3", "fx"), what, along which axis.
+effect-parameter-kept = kept
 effect-parameter-part = { $first } { $then }
 effect-parameter-about = about
 effect-parameter-acceleration = acceleration
@@ -115,6 +116,7 @@ effect-parameter-noise-factor = noise factor
 effect-parameter-over = duration
 effect-parameter-place = place
 effect-parameter-pull = pull
+effect-parameter-recovery = recovery
 effect-parameter-rectification = rectification
 effect-parameter-rest = share that a snap leaves
 effect-parameter-second-order = second-order share

@@ -33,8 +33,8 @@ class FromOneJump(PayloadMassChange):
     """A fit of a change of mass that begins from one jump alone, from which a leak is not reached."""
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """The last but one."""
-        return super().starts(scene, residual)[-2:-1]
+        """The fourth."""
+        return super().starts(scene, residual)[3:4]
 
 
 def test_an_effect_that_alone_ended_elsewhere_is_fitted_again_from_what_it_is_among_others() -> None:
