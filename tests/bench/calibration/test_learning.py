@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 import pytest
 
 from bench.calibration.learning import PRIOR, Cases, can_teach, find_truth, group_of, learn, stack
 from bench.calibration.scores import find_calibration_error, find_coverage, is_right, score
 from bench.calibration.trial import Trial
+from core.array import Array
 from core.gap.weighing import weigh_numbers
 from tests.core.gap.test_weighing import trace
 
@@ -44,6 +47,18 @@ def test_with_nothing_to_learn_from_what_was_known_before_stays() -> None:
     silent = stack([trial(0, ())])
     found = learn(Cases(silent.numbers, np.array([0])))
     assert found == pytest.approx({name: mean for name, (mean, _) in PRIOR.items()}, abs=0.3)
+
+
+def test_the_deepest_of_several_valleys_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    mean, std = PRIOR["log_draws"]
+
+    def two_valleys(_: object, figures: Mapping[str, float]) -> Array:
+        away = (figures["log_draws"] - mean) / std
+        return np.exp(-20.0 * np.array([[min(away**2 + 1.0, (away - 2.0) ** 2)]]))
+
+    monkeypatch.setattr("bench.calibration.learning.weigh_numbers", two_valleys)
+    found = learn(Cases(stack([trial(0, ())]).numbers, np.array([0])))
+    assert found["log_draws"] == pytest.approx(mean + 2.0 * std, abs=0.1 * std)
 
 
 def test_what_no_fit_stands_for_is_unknown() -> None:
