@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import gc
 from importlib import import_module
 from typing import Any, NamedTuple
@@ -80,6 +81,7 @@ class EngineCommands(TyperGroup):
             gc.disable()  # nothing of what is imported is garbage, and looking for some takes a tenth of a short command
             command = get_command(import_module(COMMANDS[name].module).app)
             gc.freeze()
+            atexit.register(gc.unfreeze)  # what libraries hold is let go before they look whether it was
             gc.enable()
             command.name = name
         return name, command, rest
