@@ -120,7 +120,7 @@ def fit_effects(
     fitted = np.arange(len(problem.absent)) < (len(problem.absent) if first is None else first)
     thetas = [np.where(fitted, theta, problem.absent) for theta in thetas]
     begun = [descend(problem, start.beta, np.clip(theta, problem.lower, problem.upper), iterations=2) for theta in thetas]
-    promising = sorted(begun, key=itemgetter(0))[: max(effect.followed for effect in effects)]
+    promising = sorted(begun, key=itemgetter(0))[: max((effect.followed for effect in effects), default=1)]
     _, beta, theta = min((descend(problem, beta, theta, iterations=ITERATIONS) for _, beta, theta in promising), key=itemgetter(0))
     return replace(_finish(problem, beta, theta), kept_absent=0 if first is None else len(theta) - first)
 
