@@ -153,6 +153,7 @@ def test_a_screen_that_only_looks_on_does_not_say_what_the_robot_does(service: R
     with signed_in(service, browser) as watching:
         show(watching, "runs", run_of(moving))
         watching.wait("[data-state=Execute]")
+        expect(watching.page.locator(".header .who")).to_contain_text("other device")
         watching.page.context.set_offline(True)
         layer = watching.page.get_by_role("alertdialog")
         expect(layer).to_contain_text("has control on another device. This screen does not know what the robot is doing now.")
