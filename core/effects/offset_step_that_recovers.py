@@ -10,9 +10,8 @@ from core.effects.scene import Scene
 from core.effects.sensor_offset_step import SensorOffsetStep
 from core.words.message import Message
 
-RECOVERIES_S = (1.0, 5.0)
-"""To start from."""
-KEPT = 0.7
+RECOVERIES_S, KEPT = (1.0, 5.0), 0.7
+"""Time constants, and the share that stays, to start from."""
 
 
 class OffsetStepThatRecovers(SensorOffsetStep):

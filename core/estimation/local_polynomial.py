@@ -32,7 +32,7 @@ def weights_of(length: int, degree: int, order: int, period: float, at: Array | 
 def derive_with_ends_held(x: Array, length: int, degree: int, order: int, period: float) -> Array:
     """(N, ...), of samples (N, ...), as if the first and the last of them had been there for ever."""
     weights, half = weights_of(length, degree, order, period), length // 2
-    held = np.concatenate([np.repeat(x[:1], half, axis=0), x, np.repeat(x[-1:], half, axis=0)]).reshape(len(x) + 2 * half, -1)
+    held = np.pad(x, [(half, half)] + [(0, 0)] * (x.ndim - 1), mode="edge").reshape(len(x) + 2 * half, -1)
     return np.stack([np.correlate(column, weights, "valid") for column in held.T], axis=-1).reshape(x.shape)
 
 

@@ -112,8 +112,7 @@ def smooth_by_average(x: Array, samples: int) -> Array:
     """Centred moving average along the first axis, as if the first and the last sample had been there for ever."""
     samples = max(1, samples)
     before, after = samples // 2, samples - 1 - samples // 2
-    held = np.concatenate([np.repeat(x[:1], before + 1, axis=0), x, np.repeat(x[-1:], after, axis=0)])
-    total = np.cumsum(held, axis=0)
+    total = np.cumsum(np.pad(x, [(before + 1, after)] + [(0, 0)] * (x.ndim - 1), mode="edge"), axis=0)
     return np.asarray((total[samples:] - total[:-samples]) / samples)
 
 

@@ -104,7 +104,8 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     scene = windows.basis.scene.with_phi(nominal.phi)
     absences = {effect: _explain_absence(effect, scene, at_rest=windows.basis.rows.at_rest) for effect in effects}
     shown = [effect for effect, reason in absences.items() if reason is None]
-    wider = [effect for effect in wider_shapes() if effect.id in {each.id for each in shown}]
+    in_twin = {term.effect.id for term in windows.held}  # in their plain shape
+    wider = [effect for effect in wider_shapes() if effect.id in {each.id for each in shown} - in_twin]
     singles = _fit_singles(windows, nominal, shown, wider, fit_all)
     gears = find_sound_gears(windows, nominal, singles, fit_all)
     if gears is not None:
@@ -124,7 +125,7 @@ def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wi
     scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
     known = {term.effect.id: [term.theta] for term in windows.held}
     tasks = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in effects]
-    richer = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider if effect.id not in known]
+    richer = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider]
     tasks += [task for task in richer if task.thetas]
     smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
     singles = choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))

@@ -33,7 +33,7 @@ def partners(windows: Windows, first: EffectFit, effects: Sequence[Effect], coun
     Args:
         first: the fit of one effect or more.
         effects: candidates for a further one, in all their shapes; those of the fit are passed over.
-        count: how many additions.
+        count: how many effects are added; none that explains less than its parameters may bend.
     """
     known = Problem(windows, first.effects)
     J = known.linearise(first.theta, first.phi)[1]
@@ -46,16 +46,13 @@ def partners(windows: Windows, first: EffectFit, effects: Sequence[Effect], coun
         if effect.id not in {each.id for each in first.effects}
         for theta in effect.starts(scene, residual)
     ]
-    best: dict[str, dict[type[Effect], Partner]] = {}
-    for partner in sorted(found, key=lambda partner: -partner.gain):
-        best.setdefault(partner.effect.id, {}).setdefault(type(partner.effect), partner)
-    chosen = [partner for shapes in list(best.values())[:count] for partner in _drop_poor(list(shapes.values()))]
+    best: dict[str, list[Partner]] = {}
+    for partner in sorted((each for each in found if each.gain > 0.0), key=lambda partner: -partner.gain):
+        shapes = best.setdefault(partner.effect.id, [partner])
+        if partner.gain >= AS_MUCH * shapes[0].gain and all(type(partner.effect) is not type(shape.effect) for shape in shapes):
+            shapes.append(partner)
+    chosen = [partner for shapes in list(best.values())[:count] for partner in shapes]
     return [add_effect(windows, first, partner.effect, [partner.theta]) for partner in chosen]
-
-
-def _drop_poor(shapes: list[Partner]) -> list[Partner]:
-    """Of the shapes of one effect, the best first, those that promise as much."""
-    return [shape for shape in shapes if shape.gain >= AS_MUCH * shapes[0].gain]
 
 
 def add_effect(windows: Windows, fit: EffectFit, effect: Effect, thetas: list[Array]) -> Task:

@@ -294,3 +294,8 @@ def test_where_the_range_is_unknown_the_largest_load_is_full_scale(effect: Effec
 )
 def test_advice_says_the_numbers_in_everyday_units(effect: Effect, theta: list[float], number: str) -> None:
     assert number in effect.advice(RUN, np.array(theta)).text
+
+
+def test_a_limit_that_no_load_reaches_is_none() -> None:
+    theta = np.append(np.full(12, 1e-310), 0.02)  # as a step towards zero ends
+    np.testing.assert_array_equal(SensorSaturation().wrench(RUN, W, theta), W)

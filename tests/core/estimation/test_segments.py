@@ -3,9 +3,19 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
+from scipy.ndimage import uniform_filter1d
 
 from core.estimation.kinematics import poses_of, smooth_motion
-from core.estimation.segments import Segment, cut_at_gaps, motionless, segments_of_motion, segments_of_phase, stretches
+from core.estimation.segments import (
+    Segment,
+    cut_at_gaps,
+    motionless,
+    segments_of_motion,
+    segments_of_phase,
+    smooth_by_average,
+    stretches,
+)
 from tests.synthetic import payload, record, run_of
 
 
@@ -48,3 +58,9 @@ def test_a_gap_in_time_parts_a_recording_and_its_motions_but_a_lost_sample_does_
     assert stretches(t) == (slice(0, 200), slice(200, 250))
     whole = segments_of_phase(np.array(["hold:x+"] * 150 + ["transfer"] * 100))
     assert cut_at_gaps(whole, t) == (Segment(0, 150, "hold:x+"), Segment(150, 200, "transfer"), Segment(200, 250, "transfer"))
+
+
+@pytest.mark.parametrize("samples", [0, 1, 2, 7, 30, 600])
+def test_a_moving_average_is_scipys(samples: int) -> None:
+    x = np.random.default_rng(0).normal(5.0, 1.0, (400, 3))
+    np.testing.assert_allclose(smooth_by_average(x, samples), uniform_filter1d(x, max(1, samples), axis=0, mode="nearest"), atol=1e-11)

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import numpy as np
+import pytest
+
 from bench.calibration.planting import plant_trial
 from core.effects.delay_that_grows import DelayThatGrows
 from core.effects.library import library
 from core.gap.basis import basis_of
 from core.gap.evidence import gather
 from core.gap.fit_all import one_by_one
-from core.gap.windows import Windows
+from core.gap.windows import Term, Windows
 
+TWO = 24
+"""Cross-talk and a delay."""
 RUNS_OFF = 42
 """A clock that runs off: too early at first, too late in the end, so that a constant delay explains a fifth."""
 
@@ -21,3 +26,14 @@ def test_a_richer_shape_is_sought_although_four_other_effects_explain_more_than_
     (effect,) = evidence.best.effects
     assert isinstance(effect, DelayThatGrows)
     assert evidence.verdict == "explained"
+
+
+@pytest.mark.parametrize("id_", ["sensor_gain", "time_delay"])
+def test_what_the_twin_has_is_kept_in_its_plain_shape_beside_further_effects(id_: str) -> None:
+    names = ("time_delay", "sensor_crosstalk", "sensor_gain", "sensor_lowpass")
+    few = {effect.id: effect for effect in library() if effect.id in names}
+    basis = basis_of(plant_trial(TWO).recording)
+    twin = Term(few[id_], np.zeros(len(few[id_].parameters(basis.scene))))
+    evidence = gather(Windows(basis, (twin,)), list(few.values()), one_by_one)
+    assert (evidence.verdict, evidence.best.name) == ("explained", "time_delay+sensor_crosstalk")
+    assert not any(effect.wider_shape for fit in (*evidence.singles, *evidence.joined) for effect in fit.effects if effect.id == id_)
