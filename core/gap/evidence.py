@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from core.effects.composition import Term
 from core.effects.effect import Effect
 from core.effects.library import wider_shapes
 from core.effects.scene import Scene
@@ -19,7 +20,7 @@ from core.gap.materiality import is_material
 from core.gap.most_rows import DRAWN, PARTS, fit_most
 from core.gap.partners import leave_out_each, partners, take_each_alone
 from core.gap.proposal import Proposal
-from core.gap.sound_gears import find_sound_gears, hold_gears
+from core.gap.sound_gears import find_gears_among, find_sound_gears, hold_gears
 from core.gap.tie import Tie, distance_sigma
 from core.gap.weighing import find_left_share
 from core.gap.windows import PHI, Windows
@@ -109,10 +110,12 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     singles = _fit_singles(windows, nominal, shown, wider, fit_all)
     gears = find_sound_gears(windows, nominal, singles, fit_all)
     if gears is not None:
-        windows = hold_gears(windows, gears)
-        nominal = fit_nominal(windows)
-        singles = fit_all(windows, [_fit_again(fit, nominal) for fit in singles])
+        windows, nominal, singles = _hold(windows, gears, singles, fit_all)
     grown = _join(windows, nominal, singles, [*shown, *wider], fit_all)
+    among = find_gears_among(windows, grown[0], fit_all) if grown else None
+    if among is not None:
+        windows, nominal, singles = _hold(windows, among, singles, fit_all)
+        grown = _join(windows, nominal, singles, [*shown, *wider], fit_all)
     alone = [task for fit in grown[:1] for task in take_each_alone(windows, fit)]
     singles = choose_variants(nominal, [*singles, *fit_all(windows, alone)]) if alone else singles
     joined = _find_needed(nominal, singles, grown)
@@ -146,6 +149,13 @@ def _start_beside(windows: Windows, nominal: EffectFit, singles: list[EffectFit]
         for effect in wider if not fit.effects[0].wider_shape else ():
             if effect.id == fit.name:
                 yield Task((effect,), fit, effect.starts_beside(scene, residual, fit.theta))
+
+
+def _hold(windows: Windows, gears: Term, singles: list[EffectFit], fit_all: FitAll) -> tuple[Windows, EffectFit, list[EffectFit]]:
+    """Everything fitted so far once more, with gears that are always on."""
+    windows = hold_gears(windows, gears)
+    nominal = fit_nominal(windows)
+    return windows, nominal, fit_all(windows, [_fit_again(fit, nominal) for fit in singles])
 
 
 def _fit_again(fit: EffectFit, nominal: EffectFit) -> Task:

@@ -9,15 +9,17 @@ from core.effects.joint_elasticity import JointElasticity
 from core.estimation.gears import SOFTEST_RAD_PER_NM, SoundGears
 from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import FitAll
-from core.gap.partners import add_effect, terms_of
+from core.gap.partners import add_effect, leave_out_each, terms_of
 from core.gap.weighing import find_left_share
 from core.gap.windows import Windows
 from core.words.message import Message
 
-SHOWN = 0.01
-"""Share of the excess: where one effect leaves no more, nothing swings besides."""
+SHOWN = 0.005
+"""Share of the excess: where one effect leaves no more, nothing swings besides, and no further effect is sought."""
 EXPLAIN = 0.5
-"""They have to explain at least this share of what the best explanation without them leaves."""
+"""They have to explain at least this share of what the best explanation without them leaves,"""
+AS_SOFTER = 0.9
+"""and among several effects at once this share of what joints of any stiffness explain in their place."""
 
 
 def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectFit], fit_all: FitAll) -> Term | None:
@@ -40,6 +42,25 @@ def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectF
     there = find_left_share(nominal, fit)
     if there > EXPLAIN * find_left_share(nominal, base) or there > left + SHOWN:
         return None
+    return _term_of(windows, fit)
+
+
+def find_gears_among(windows: Windows, together: EffectFit, fit_all: FitAll) -> Term | None:
+    """The gears in the place of the elastic joints among several effects at once; None where these are softer, or there are none."""
+    gears = SoundGears()
+    known = {term.effect.id for term in windows.held}
+    others = [task for task in leave_out_each(windows, together) if gears.id not in task.name.split("+")]
+    if len(others) != 1 or gears.id in known:
+        return None
+    (rest,) = fit_all(windows, others)
+    starts = gears.starts(windows.basis.scene.with_phi(rest.phi), windows.on_grid(rest.residual))
+    (fit,) = fit_all(windows, [add_effect(windows, rest, gears, starts)])
+    if rest.chi_square - fit.chi_square < AS_SOFTER * (rest.chi_square - together.chi_square):
+        return None
+    return _term_of(windows, fit)
+
+
+def _term_of(windows: Windows, fit: EffectFit) -> Term:
     return Term(JointElasticity(), next(theta for effect, theta in terms_of(windows, fit) if isinstance(effect, SoundGears)))
 
 

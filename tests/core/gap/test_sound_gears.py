@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -20,6 +21,7 @@ from core.plant.faults import Fault
 from core.plant.faults.joint_springs import ElasticJoints
 from core.plant.faults.payload import MassStep
 from core.plant.faults.sensor_memory import PlayHysteresis
+from core.plant.faults.timing import Delay
 from core.plant.mechanics import Drives
 from core.procedure.record import record
 from core.recording.recording import Recording
@@ -76,6 +78,24 @@ def test_what_is_wrong_besides_is_named_alone() -> None:
     assert (verdict, evidence.best.name) == ("explained", "payload_mass_change")
     mass = evidence.best.theta[1]
     assert mass == pytest.approx(LOST.change_kg, abs=4.0 * evidence.best.theta_std[1] + 2e-4)
+
+
+def test_gears_that_are_little_beside_what_is_wrong_are_no_second_cause() -> None:
+    verdict, evidence = examined(SOUND, replace(LOST, change_kg=-0.06))
+    assert (verdict, evidence.best.name) == ("explained", "payload_mass_change")
+    assert held(evidence) == ["joint_elasticity"]
+
+
+def test_two_that_are_wrong_besides_are_named_without_a_third() -> None:
+    verdict, evidence = examined(SOUND, replace(LOST, change_kg=-0.03), Delay(0.004))
+    assert (verdict, evidence.best.name) == ("explained", "payload_mass_change+time_delay")
+    assert held(evidence) == ["joint_elasticity"]
+
+
+def test_softer_joints_beside_something_else_are_named() -> None:
+    verdict, evidence = examined(SOFT, replace(LOST, change_kg=-0.1))
+    assert (verdict, evidence.best.name) == ("explained", "joint_elasticity+payload_mass_change")
+    assert held(evidence) == []
 
 
 def test_a_sensor_that_hides_the_swinging_is_named() -> None:
