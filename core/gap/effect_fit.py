@@ -10,6 +10,7 @@ from itertools import accumulate
 from operator import itemgetter
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.array import Array
 from core.effects.effect import Effect, Parameter
@@ -24,6 +25,10 @@ CONVERGED = 0.02
 """Fall of the cost below which the fit has ended, in units of chi-square,"""
 CONVERGED_SHARE = 3e-4
 """or as a share of what it leaves over beyond chance, where the model is not exact."""
+
+
+KEPT = 0.5
+"""Share of the fall that a linearised problem promises which has to come true, or what it promises does not count."""
 
 
 @dataclass(frozen=True)
@@ -151,10 +156,10 @@ def _finish(problem: Problem, beta: Array, theta: Array) -> EffectFit:
     columns = np.column_stack((problem.X, J))
     cost = problem.cost(beta, theta)
     log_evidence = -0.5 * cost - 0.5 * float(np.linalg.slogdet(normal)[1] - np.log(problem.precision).sum())
-    away = np.concatenate((beta, theta - problem.absent))
     here = np.concatenate((beta, theta))
     free = (here > problem.bounds[0]) & (here < problem.bounds[1])
-    held_out = predict_held_out(problem.windows, columns[:, free], r, problem.precision[free], away[free])
+    rest = go_rest_of_way(problem, here, free, columns, r, cost)
+    held_out = predict_held_out(problem.windows, columns[:, free], rest, problem.precision[free])
     held_out = take_off_noise(held_out, problem, theta, beta)
     covariance = inverse(normal)
     shape = problem.windows.target.shape
@@ -173,21 +178,38 @@ def _finish(problem: Problem, beta: Array, theta: Array) -> EffectFit:
     )
 
 
-def predict_held_out(windows: Windows, columns: Array, r: Array, precision: Array, away: Array) -> Array:
+def go_rest_of_way(problem: Problem, here: Array, free: NDArray[np.bool_], columns: Array, r: Array, cost: float) -> Array:
+    """(6K,), the residual at the optimum of the problem as it is linearised at `here`, where r and the cost are.
+
+    Where going there does not lower the cost by half as much as the linear problem says (a cost with steps, whose derivatives say little),
+    r stays as it is.
+    """
+    count, Z, precision = problem.X.shape[1], columns[:, free], problem.precision[free]
+    gradient = Z.T @ r - (problem.precision * np.concatenate((here[:count], here[count:] - problem.absent)))[free]
+    step = solve_scaled(Z.T @ Z + np.diag(precision), gradient)
+    promised = float(gradient @ step)
+    if promised > CONVERGED:
+        there = here.copy()
+        there[free] = np.clip(here[free] + step, problem.bounds[0][free], problem.bounds[1][free])
+        if cost - problem.cost(there[:count], there[count:]) < KEPT * promised:
+            return r
+    return np.asarray(r - Z @ step)
+
+
+def predict_held_out(windows: Windows, columns: Array, r: Array, precision: Array) -> Array:
     """(6, K), chi-square of each row when its whole motion is left out.
 
     With e the prediction error of a motion from all others and S its covariance (noise and what is left open by the others),
-    `e^T S^-1 e = r^T e` where `e = r + Z (N - Z^T Z)^-1 Z^T r` (block form of the leave-one-out identity). That holds at the optimum of
-    the linearised problem, so the last bit of the way there is gone first.
+    `e^T S^-1 e = r^T e` where `e = r + Z (N - Z^T Z)^-1 Z^T r` (block form of the leave-one-out identity).
 
     Args:
-        precision, away: of the priors, and how far from their means the fit is.
+        r: at the optimum of the linearised problem.
+        precision: of the priors.
     """
     group = np.tile(windows.group, 6)
     motions = [group == g for g in np.unique(group)]
     seen = [columns[rows].T @ columns[rows] for rows in motions]
     prior = np.diag(precision)
-    r = r - columns @ solve_scaled(sum(seen, prior), columns.T @ r - precision * away)
     result = np.empty_like(r)
     # summed from both ends: where one motion alone shows a parameter, the difference N - Z^T Z is nothing but rounding
     before, behind = accumulate(seen, initial=prior), [*accumulate(seen[:0:-1], initial=np.zeros_like(prior))][::-1]

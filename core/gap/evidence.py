@@ -40,6 +40,8 @@ ONE_IS_ENOUGH = 0.005
 """Share of the excess left over by one effect below which a second one is not sought: it would only pick up what a model gets wrong."""
 ONE_IS_CLEAR = 3e-4
 """The same below which no effect is started from the rows that most agree on: what spoils the first estimate leaves more to the others."""
+HID_MOST = 0.5
+"""Share of the excess below which what sound gears leave is looked at anew: starts and shapes were those that the swinging showed."""
 FURTHER_EXPLAINS = 1.0 / 3.0
 """A further effect has to explain most of what those before it leave over, or it is none."""
 
@@ -110,7 +112,9 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     singles = _fit_singles(windows, nominal, shown, wider, fit_all)
     gears = find_sound_gears(windows, nominal, singles, fit_all)
     if gears is not None:
-        windows, nominal, singles = _hold(windows, gears, singles, fit_all)
+        swinging, (windows, nominal, singles) = nominal, _hold(windows, gears, singles, fit_all)
+        if find_left_share(swinging, nominal) < HID_MOST:
+            singles = choose_variants(nominal, [*singles, *_fit_singles(windows, nominal, shown, wider, fit_all)])
     grown = _join(windows, nominal, singles, [*shown, *wider], fit_all)
     among = find_gears_among(windows, grown[0], fit_all) if grown else None
     if among is not None:

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.optimize import minimize
 
 from core.effects.base_tilt import BaseTilt
 from core.effects.channels import full_scale
@@ -14,7 +15,7 @@ from core.effects.hysteresis_that_snaps import HysteresisThatSnaps
 from core.effects.payload_shift import PayloadShift
 from core.effects.sensor_translation import SensorTranslation
 from core.gap.basis import basis_of
-from core.gap.effect_fit import fit_effects, fit_nominal, predict_held_out
+from core.gap.effect_fit import fit_effects, fit_nominal, go_rest_of_way, predict_held_out
 from core.gap.problem import SMALL, parameters_of
 from core.gap.windows import Windows
 from tests.foreign_recordings import make_long
@@ -32,7 +33,7 @@ def test_what_a_motion_adds_is_what_a_fit_of_the_others_says_of_it(precision_of_
     y = columns @ [1.0, -2.0, 0.5, 3.0] + rng.normal(size=len(columns))
     fitted = np.linalg.solve(columns.T @ columns + np.diag(precision), columns.T @ y)
     windows = SimpleNamespace(group=group, target=np.zeros((6, len(group))))
-    found = predict_held_out(windows, columns, y - columns @ fitted, precision, fitted)  # type: ignore[arg-type]  # all that is read of it
+    found = predict_held_out(windows, columns, y - columns @ fitted, precision)  # type: ignore[arg-type]  # all that is read of it
 
     def least_cost(rows: np.ndarray) -> float:
         x = np.linalg.lstsq(np.vstack((columns[rows], np.diag(np.sqrt(precision)))), np.append(y[rows], np.zeros(4)), rcond=None)[0]
@@ -42,6 +43,29 @@ def test_what_a_motion_adds_is_what_a_fit_of_the_others_says_of_it(precision_of_
     for g in range(3):
         out = np.tile(group, 6) == g
         assert found[:, group == g].sum() == pytest.approx(least_cost(everything) - least_cost(~out), rel=1e-6)
+
+
+@pytest.mark.parametrize("kept", [1.0, 0.7, 0.2, -0.5])
+def test_what_a_linearised_problem_promises_counts_only_where_it_comes_true(kept: float) -> None:
+    rng = np.random.default_rng(5)
+    columns, precision, absent = rng.normal(size=(60, 5)), np.array([0.5, 2.0, 0.1, 1.0, 3.0]), np.array([0.3, -0.2])
+    target, here = rng.normal(size=60), rng.normal(size=5)
+
+    def full_cost(x: np.ndarray) -> float:
+        away = x - np.append(np.zeros(3), absent)
+        return float(np.sum((target - columns @ x) ** 2) + precision @ away**2)
+
+    def cost(beta: np.ndarray, theta: np.ndarray) -> float:
+        return full_cost(here) + kept * (full_cost(np.append(beta, theta)) - full_cost(here))
+
+    problem = SimpleNamespace(X=columns[:, :3], precision=precision, absent=absent, bounds=np.array([[-9.0] * 5, [9.0] * 5]), cost=cost)
+    r = target - columns @ here
+    rest = go_rest_of_way(problem, here, np.ones(5, dtype=bool), columns, r, full_cost(here))  # type: ignore[arg-type]  # all that is read
+    if kept < 0.5:
+        np.testing.assert_array_equal(rest, r)
+    else:
+        best = minimize(full_cost, here, tol=1e-14).x
+        np.testing.assert_allclose(rest, target - columns @ best, atol=1e-5)
 
 
 @pytest.mark.parametrize("late", [-20, 25])

@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
+from scipy.signal import lsim
 
 from core.effects.library import library
 from core.gap.answer import Diagnosis
@@ -24,6 +25,7 @@ from tests.synthetic import Run, payload, record, run_of
 
 Array = np.ndarray
 ZEROS_DEG = 0.01
+OFFSET = np.array([3.1, -2.2, 5.3, 0.11, -0.2, 0.07])
 OF_GAIN = ("sensor_gain", "sensor_nonlinearity", "sensor_hysteresis")
 
 
@@ -36,7 +38,7 @@ def recorded(run: Run, seed: int, zeros_deg: float = ZEROS_DEG) -> tuple[Recordi
     """A recording over zeros of the encoders, and its true load (N, 6) without offset."""
     rng = np.random.default_rng(seed)
     recording = record(run, payload("steel_block"), rng)
-    load = recording.wrench - [3.1, -2.2, 5.3, 0.11, -0.2, 0.07]
+    load = recording.wrench - OFFSET
     return replace(recording, q=recording.q + np.radians(zeros_deg) * rng.normal(size=run.q.shape[1])), load
 
 
@@ -133,6 +135,59 @@ def test_gains_that_warm_up_are_gains_and_no_payload_that_gets_lighter(run: Run)
     assert best.parameters["fz_gain_change_share"].value == pytest.approx(0.04, rel=0.1)
     assert best.parameters["fx_first_minute_n"].value == pytest.approx(0.0, abs=1e-6)
     assert not best.addable
+
+
+def test_a_gauge_that_comes_off_is_a_gain_from_then_on(run: Run) -> None:
+    recording, load = recorded(run, 12)
+    after = (run.t > run.t[0] + 17.0)[:, None] * load * [0.0, 0.0, -0.03, -0.02, 0.0, 0.0]
+    diagnosis = explain(
+        replace(recording, wrench=recording.wrench + after), "sensor_gain", "payload_mass_change", "sensor_offset_step", "external_contact"
+    )
+    best = diagnosis.effects[0]
+    assert (diagnosis.verdict, best.id) == ("explained", "sensor_gain")
+    assert best.parameters["step_time_s"].value == pytest.approx(17.0, abs=0.1)
+    assert best.parameters["fz_gain_change_share"].value == pytest.approx(-0.03, abs=0.002)
+    assert not best.addable
+
+
+def test_another_slope_from_a_load_on_is_a_non_linearity_with_its_knee(run: Run) -> None:
+    recording, load = recorded(run, 13)
+    knee = np.array([9.0, 9.0, 0.4, 9.0, 9.0, 9.0]) * np.abs(load).max(axis=0)
+    bent = 0.05 * (load - np.clip(load, -knee, knee))
+    diagnosis = explain(replace(recording, wrench=recording.wrench + bent), *OF_GAIN, "sensor_crosstalk")
+    best = diagnosis.effects[0]
+    assert (diagnosis.verdict, best.id) == ("explained", "sensor_nonlinearity")
+    assert best.parameters["fz_slope_change_share"].value == pytest.approx(0.05, abs=0.005)
+    assert best.parameters["knee_share"].value == pytest.approx(0.4, abs=0.03)
+
+
+def test_a_supply_that_goes_up_and_down_is_a_gain_with_its_cycle(run: Run) -> None:
+    recording, load = recorded(run, 14)
+    course = 1.0 + 0.6 * np.sin(2.0 * np.pi * (run.t - run.t[0]) / 22.0 + 1.0)
+    seen = course[:, None] * np.array([0.0, 0.03, -0.04, 0.03, 0.0, 0.0]) * (load + OFFSET)
+    diagnosis = explain(replace(recording, wrench=recording.wrench + seen), "sensor_gain", "sensor_drift", "payload_mass_change")
+    best = diagnosis.effects[0]
+    assert (diagnosis.verdict, best.id) == ("explained", "sensor_gain")
+    assert best.parameters["cycle_s"].value == pytest.approx(22.0, rel=0.05)
+    assert abs(best.parameters["swing_share"].value) == pytest.approx(0.6, abs=0.15)
+
+
+def test_a_heating_that_is_switched_is_a_drift_with_its_cycle(run: Run) -> None:
+    recording, _ = recorded(run, 15)
+    elapsed = run.t - run.t[0]
+    switched = ((elapsed - 6.0) % 24.0 < 12.0).astype(float)
+    warm = lsim(([1.0], [25.0, 1.0]), switched, elapsed, interp=False)[1]
+    diagnosis = explain(
+        replace(recording, wrench=recording.wrench + np.outer(warm, [2.0, -1.0, 0.5, 0.05, 0.0, -0.1])),
+        "sensor_drift",
+        "sensor_gain",
+        "base_tilt",
+    )
+    best = diagnosis.effects[0]
+    assert (diagnosis.verdict, best.id) == ("explained", "sensor_drift")
+    assert best.parameters["cycle_s"].value == pytest.approx(24.0, rel=0.05)
+    assert best.parameters["time_constant_s"].value == pytest.approx(25.0, rel=0.2)
+    assert best.parameters["fx_hot_n"].value == pytest.approx(2.0, rel=0.15)
 
 
 def test_two_channels_that_end_at_half_of_their_load_are_clipped(run: Run) -> None:

@@ -1,0 +1,57 @@
+"""The gain changes at once: a strain gauge that comes off its beam, a wire of a bridge that breaks; the offset may go along."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from core.array import Array
+from core.effects.channels import amplitudes, expand_to_channels, find_largest_channel, shares
+from core.effects.effect import Parameter
+from core.effects.scene import Scene
+from core.effects.sensor_gain import SensorGain
+from core.effects.window_search import best_windows
+from core.words.message import Message
+
+TIMES = 3
+"""To start from."""
+
+
+class GainThatJumps(SensorGain):
+    """`W = w + g w + A` from `t0` on, reached within one sample. The payload takes up a gain that all channels have from the start."""
+
+    wider_shape = True
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """Change of each gain (6), as a share, its time, s, from the first sample on, and the jump of each offset (6), N and N m."""
+        seconds = float(scene.t[-1] - scene.t[0])
+        return (
+            *shares("gain_change_share", lower=-0.5, upper=0.5, scale=0.03),
+            Parameter("step_time_s", "s", seconds / 2, 0.0, seconds, 0.3 * max(seconds, scene.period)),
+            *amplitudes("step", bound=expand_to_channels(100.0, 10.0), scale=expand_to_channels(1.5, 0.08)),
+        )
+
+    def smaller_shape(self, scene: Scene) -> int:
+        """Gains alone."""
+        return 7
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """`w` plus what gains and offsets have changed from t0 on."""
+        since = np.clip((scene.elapsed - theta[6]) / scene.period, 0.0, 1.0)
+        return np.asarray(w + since[:, None] * (theta[:6] * w + theta[7:]))
+
+    def explain_tie_to_run(self, scene: Scene) -> Message | None:
+        """Twins keep a gain that stays."""
+        return Message.of("effect-shape-of-run")
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """The times from which on gains explain most, with the signs by which the residual goes with the load then."""
+        columns = scene.nominal[:, :, None] * np.eye(6)
+        found = [begin - float(scene.t[0]) for begin, _ in best_windows(scene, residual, columns, TIMES, open_end=True)]
+        along = residual * scene.nominal
+        signs = [np.sign(along[scene.elapsed >= at].mean(axis=0) - along[scene.elapsed < at].mean(axis=0)) for at in found]
+        return [np.concatenate((0.01 * sign, [at - 0.5 * scene.period], np.zeros(6))) for at, sign in zip(found, signs, strict=True)]
+
+    def advice(self, scene: Scene, theta: Array) -> Message:
+        """Advises having the sensor checked, with the time, s, and the largest change of a gain in %."""
+        k, channel = find_largest_channel(theta[:6])
+        return Message.of("advice-sensor-gain-jump", channel=channel, change_share=theta[k], at_s=theta[6])
