@@ -34,6 +34,7 @@ def take_off_noise(held_out: Array, problem: Problem, theta: Array, beta: Array)
     spared = estimate_spared_noise(problem, theta, beta)
     if not any(effect.jumps for effect in problem.effects):
         return np.asarray(held_out + spared)
+    held_out = share_among_channels(problem.windows, held_out)
     added = np.maximum(0.0, -spared)
     possible = MOST_EXCUSED * (1.0 + added)
     excused = possible / np.maximum(_by_motion(problem.windows, held_out), possible)
@@ -63,6 +64,15 @@ def estimate_spared_noise(problem: Problem, theta: Array, beta: Array) -> Array:
         passed = windows.rows_of(problem.pass_noise(theta, scene, seen.on_grid[draws])).transpose(2, 0, 1)
         late = late[draws]
     return _by_motion(windows, expected - np.square(passed + late).mean(axis=0))
+
+
+def share_among_channels(windows: Windows, held_out: Array) -> Array:
+    """(6, K), the same sum for each motion, of which no channel has a negative part: what one explains of another counts there, where it is
+    excused with it."""
+    sums = np.array([np.bincount(windows.group, weights=channel) for channel in held_out])
+    positive = np.maximum(sums, 0.0)
+    kept = np.where(sums > 0.0, np.maximum(sums.sum(axis=0), 0.0) / np.maximum(positive.sum(axis=0), 1e-12), 0.0)
+    return np.asarray(held_out * kept[:, windows.group])
 
 
 def _by_motion(windows: Windows, rows: Array) -> Array:

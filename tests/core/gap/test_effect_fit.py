@@ -60,12 +60,11 @@ def test_what_a_linearised_problem_promises_counts_only_where_it_comes_true(kept
 
     problem = SimpleNamespace(X=columns[:, :3], precision=precision, absent=absent, bounds=np.array([[-9.0] * 5, [9.0] * 5]), cost=cost)
     r = target - columns @ here
-    rest = go_rest_of_way(problem, here, np.ones(5, dtype=bool), columns, r, full_cost(here))  # type: ignore[arg-type]  # all that is read
-    if kept < 0.5:
-        np.testing.assert_array_equal(rest, r)
-    else:
-        best = minimize(full_cost, here, tol=1e-14).x
-        np.testing.assert_allclose(rest, target - columns @ best, atol=1e-5)
+    rest, owed = go_rest_of_way(problem, here, np.ones(5, dtype=bool), columns, r, full_cost(here))  # type: ignore[arg-type]  # all it reads
+    best = minimize(full_cost, here, tol=1e-14)
+    np.testing.assert_allclose(rest, target - columns @ best.x, atol=1e-5)
+    promised = full_cost(here) - best.fun
+    assert owed == pytest.approx(0.0 if kept >= 0.5 else promised * (1.0 - max(kept, 0.0)))
 
 
 @pytest.mark.parametrize("late", [-20, 25])
