@@ -14,8 +14,9 @@ from core.events import drive
 from core.gap.basis import basis_of
 from core.gap.closure import gap_of
 from core.gap.diagnosis import examine
-from core.gap.effect_fit import fit_nominal
-from core.gap.evidence import Evidence
+from core.gap.effect_fit import EffectFit, fit_nominal
+from core.gap.evidence import Evidence, gather
+from core.gap.fit_all import Task, one_by_one
 from core.gap.windows import Windows
 from core.plant.faults import Fault
 from core.plant.faults.joint_springs import ElasticJoints
@@ -114,3 +115,16 @@ def test_a_stiff_arm_has_none() -> None:
     verdict, evidence = examined(LOST)
     assert (verdict, evidence.best.name) == ("explained", "payload_mass_change")
     assert held(evidence) == []
+
+
+@pytest.mark.parametrize(("faults", "payload", "hid"), [((SOUND,), "steel_block", True), ((SOUND, LOST), "cylinder", False)])
+def test_what_the_swinging_hid_is_looked_at_anew(faults: tuple[Fault, ...], payload: str, hid: bool) -> None:
+    begun_anew: set[str] = set()
+
+    def fit_all(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
+        begun_anew.update(task.name for task in tasks if windows.held and len(task.effects) == 1 and len(task.thetas) > 1)
+        return one_by_one(windows, tasks)
+
+    evidence = gather(Windows(basis_of(moved(*faults, payload=payload))), FEW, fit_all)
+    assert held(evidence) == ["joint_elasticity"]
+    assert begun_anew >= {"sensor_hysteresis", "payload_mass_change"} if hid else not begun_anew

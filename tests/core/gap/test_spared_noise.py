@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -10,7 +12,7 @@ from core.effects.library import library
 from core.gap.basis import basis_of
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.problem import Problem
-from core.gap.spared_noise import take_off_noise
+from core.gap.spared_noise import share_among_channels, take_off_noise
 from core.gap.windows import Windows
 from tests.synthetic import Imperfections, payload, record, run_of
 
@@ -69,3 +71,16 @@ def test_noise_does_not_excuse_what_is_far_beyond_it() -> None:
     assert most.mean() > 0.99e8
     assert some.min() < 50.0  # of a hundred, where noise makes much
     assert (np.diff([some, most], axis=0) > 0.0).all()
+
+
+def test_no_channel_of_a_motion_counts_less_than_nothing_and_its_sum_stays() -> None:
+    rng = np.random.default_rng(3)
+    group = np.repeat([0, 1, 2], [7, 4, 9])
+    held_out = rng.normal(0.5, 2.0, size=(6, len(group)))
+    held_out[2, group == 1] -= 2.0
+    shared = share_among_channels(SimpleNamespace(group=group), held_out)  # type: ignore[arg-type]  # all that is read of it
+    for g in range(3):
+        before, after = held_out[:, group == g].sum(axis=1), shared[:, group == g].sum(axis=1)
+        assert before.sum() > 0.0 > before.min()
+        assert (after >= 0.0).all()
+        assert after.sum() == pytest.approx(before.sum())
