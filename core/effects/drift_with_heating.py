@@ -17,10 +17,8 @@ from core.effects.sensor_drift import SensorDrift
 from core.effects.window_search import weights
 from core.words.message import Message
 
-MOST_SWITCHED = 24
-"""Times in a run."""
-SHORTEST_S, LONGEST, CYCLES = 8.0, 1.5, 20
-"""Cycles that are looked at, from s up to so many lengths of the run,"""
+SHORTEST_S, SHORTEST, LONGEST, CYCLES = 8.0, 0.1, 1.5, 20
+"""Cycles that are looked at: from s and such a share of the run up to so many lengths of it,"""
 PHASES, CONSTANTS_S = 10, (10.0, 30.0, 90.0)
 """in so many phases, with some time constants,"""
 ROWS = 400
@@ -41,9 +39,10 @@ class DriftWithHeating(SensorDrift):
         """Offset where it stays on (6), N and N m, cycle, a time at which it is switched on, and time constant
         T, s."""
         seconds = max(float(scene.t[-1] - scene.t[0]), SHORTEST_S)
+        shortest = max(SHORTEST_S, SHORTEST * seconds)
         return (
             *amplitudes("hot", bound=expand_to_channels(50.0, 2.5), scale=expand_to_channels(1.0, 0.05)),
-            Parameter("cycle_s", "s", seconds, 0.5 * SHORTEST_S, 3.0 * seconds, 0.2 * seconds),
+            Parameter("cycle_s", "s", seconds, 0.5 * shortest, 3.0 * seconds, 0.2 * seconds),
             Parameter("at_s", "s", 0.0, -3.0 * seconds, 3.0 * seconds, 0.1 * seconds),
             Parameter("time_constant_s", "s", 30.0, 1.0, 300.0, 20.0),
         )
@@ -61,7 +60,7 @@ class DriftWithHeating(SensorDrift):
         rows = slice(0, None, max(1, len(scene) // ROWS))
         seen = residual[rows]
         best = heapq.nlargest(self.followed, _find_courses(scene.elapsed[rows], seen), key=lambda course: course.explained)
-        if best[0].explained < SIGN * float(np.square(seen - seen.mean(axis=0)).sum()):
+        if best[0].explained <= SIGN * float(np.square(seen - seen.mean(axis=0)).sum()):
             return []
         offsets = [course.along / weights(scene) for course in best]  # up to a factor: the residual's unit is not known
         return [np.concatenate((START_N * x / np.abs(x).max(), course.warm)) for x, course in zip(offsets, best, strict=True)]
@@ -76,7 +75,7 @@ def _warm(t: Array, cycle: float, first: float, constant: float) -> Array:
     half = 0.5 * cycle
     switch = math.ceil(-first / half)  # the first one that is not before 0
     warmth = np.zeros_like(t) if switch % 2 == 0 else -np.expm1(-t / constant)
-    for k in range(switch, switch + MOST_SWITCHED):
+    for k in range(switch, switch + math.ceil(float(t[-1]) / half) + 1):
         warmth -= (-1.0) ** k * np.expm1(-np.maximum(t - first - k * half, 0.0) / constant)
     return warmth
 
@@ -93,7 +92,7 @@ def _find_courses(t: Array, seen: Array) -> Iterator[_Course]:
     """Of a residual (N, 6), channels by themselves, beside their means."""
     seconds = float(t[-1])
     seen = seen - seen.mean(axis=0)
-    for cycle in np.geomspace(SHORTEST_S, max(LONGEST * seconds, SHORTEST_S), CYCLES):
+    for cycle in np.geomspace(max(SHORTEST_S, SHORTEST * seconds), max(LONGEST * seconds, SHORTEST_S), CYCLES):
         for at in cycle * np.arange(PHASES) / PHASES:
             for constant in CONSTANTS_S:
                 warm = _warm(t, float(cycle), float(at), constant)
