@@ -25,7 +25,7 @@ class SensorGain(Effect):
             *shares("asymmetry_share", lower=-0.25, upper=0.25, scale=0.01),
         )
 
-    def smaller_shape(self, scene: Scene) -> int:
+    def smaller_shape(self, scene: Scene) -> int | None:
         """The gain errors without asymmetry."""
         return 6
 
