@@ -27,6 +27,8 @@ TOGETHER = {
     "where one leaves half a per cent": (403, ("payload_mass_change", "base_tilt", "external_contact", "sensor_drift")),
 }
 """Seeds of trials with two causes, and effects among which they are sought."""
+RIVALS = {410: ["sensor_lowpass+sensor_drift"]}
+"""What cannot be told from them: of 410, a filter follows the delay to less than three standard deviations."""
 
 
 class FromOneJump(PayloadMassChange):
@@ -68,4 +70,5 @@ def test_two_causes_are_named_together(seed: int, names: tuple[str, ...]) -> Non
     planted = plant_trial(seed)
     evidence = gather(Windows(basis_of(planted.recording)), [effect for effect in library() if effect.id in names], one_by_one)
     assert tuple(sorted(effect.id for effect in evidence.best.effects)) == planted.families
-    assert evidence.verdict == "explained"
+    assert [tie.second.name for tie in evidence.attribution.ties] == RIVALS.get(seed, [])
+    assert evidence.verdict == ("ambiguous" if seed in RIVALS else "explained")
