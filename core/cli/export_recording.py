@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import uuid
 from enum import StrEnum
 from pathlib import Path
@@ -43,7 +42,7 @@ def export_recording_command(
     partial = file.with_name(f".{file.name}.{uuid.uuid4().hex[:8]}.partial")
     try:
         _write(loaded, partial, kind)
-        os.replace(partial, file)  # noqa: PTH105  replaces at once, on every system
+        partial.replace(file)
     except OSError as error:
         raise BadInput(str(file), "import-not-written", reason=str(error.strerror)) from error
     finally:

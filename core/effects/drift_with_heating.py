@@ -36,8 +36,7 @@ class DriftWithHeating(SensorDrift):
     followed = 4
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """Offset where it stays on (6), N and N m, cycle, a time at which it is switched on, and time constant
-        T, s."""
+        """Offset where it stays on (6), N and N m, cycle, a time at which it is switched on, and time constant, s."""
         seconds = max(float(scene.t[-1] - scene.t[0]), SHORTEST_S)
         shortest = max(SHORTEST_S, SHORTEST * seconds)
         return (

@@ -39,7 +39,7 @@ class GainThatSwings(SensorGain):
             Parameter("swing_share", "1", 0.0, -20.0, 20.0, 1.0),
             Parameter("cycle_s", "s", seconds, 0.5 * SHORTEST_S, 3.0 * max(seconds, SHORTEST_S), 0.2 * seconds),
             Parameter("phase_rad", "rad", 0.0, -2.0 * np.pi, 2.0 * np.pi, 1.0),
-            *amplitudes("step", bound=expand_to_channels(50.0, 2.5), scale=expand_to_channels(1.0, 0.05)),
+            *amplitudes("offset", bound=expand_to_channels(50.0, 2.5), scale=expand_to_channels(1.0, 0.05)),
         )
 
     def smaller_shape(self, scene: Scene) -> int:

@@ -67,6 +67,7 @@ PIECES = {
     "mass": Message.of("effect-parameter-mass"),
     "moving": Message.of("effect-parameter-moving"),
     "noise_factor": Message.of("effect-parameter-noise-factor"),
+    "offset": Message.of("effect-parameter-offset"),
     "over": Message.of("effect-parameter-over"),
     "phase": Message.of("effect-parameter-phase"),
     "place": Message.of("effect-parameter-place"),

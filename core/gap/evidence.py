@@ -20,7 +20,7 @@ from core.gap.materiality import is_material
 from core.gap.most_rows import DRAWN, PARTS, fit_most
 from core.gap.partners import leave_out_each, partners, take_each_alone
 from core.gap.proposal import Proposal
-from core.gap.sound_gears import find_gears_among, find_sound_gears, hold_gears
+from core.gap.sound_gears import ONE_IS_ENOUGH, find_gears_among, find_sound_gears, hold_gears
 from core.gap.tie import Tie, distance_sigma
 from core.gap.weighing import find_left_share
 from core.gap.windows import PHI, Windows
@@ -36,10 +36,9 @@ BESIDE = 6
 MOST_TOGETHER, EXCHANGES = 3, 3
 EQUATIONS = 5
 """For each parameter of several effects at once, at least: a list of poses has few, and much would fit it."""
-ONE_IS_ENOUGH = 0.005
-"""Share of the excess left over by one effect below which a second one is not sought: it would only pick up what a model gets wrong."""
 ONE_IS_CLEAR = 3e-4
-"""The same below which no effect is started from the rows that most agree on: what spoils the first estimate leaves more to the others."""
+"""Share of the excess left over by one effect below which none is started from the rows that most agree on: what spoils the first estimate
+leaves more to the others."""
 HID_MOST = 0.5
 """Share of the excess below which what sound gears leave is looked at anew: starts and shapes were those that the swinging showed."""
 FURTHER_EXPLAINS = 1.0 / 3.0
@@ -116,7 +115,8 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
         if find_left_share(swinging, nominal) < HID_MOST:
             singles = choose_variants(nominal, [*singles, *_fit_singles(windows, nominal, shown, wider, fit_all)])
     grown = _join(windows, nominal, singles, [*shown, *wider], fit_all)
-    among = find_gears_among(windows, grown[0], fit_all) if grown else None
+    needed = _find_needed(nominal, singles, grown)[:1]
+    among = next((find_gears_among(windows, fit, fit_all) for fit in needed), None)
     if among is not None:
         windows, nominal, singles = _hold(windows, among, singles, fit_all)
         grown = _join(windows, nominal, singles, [*shown, *wider], fit_all)

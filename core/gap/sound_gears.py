@@ -14,8 +14,9 @@ from core.gap.weighing import find_left_share
 from core.gap.windows import Windows
 from core.words.message import Message
 
-SHOWN = 0.005
-"""Share of the excess: where one effect leaves no more, nothing swings besides, and no further effect is sought."""
+ONE_IS_ENOUGH = 0.005
+"""Share of the excess left over by one effect below which nothing is sought besides, neither gears nor a further effect: it would only pick
+up what a model gets wrong."""
 EXPLAIN = 0.5
 """They have to explain at least this share of what the best explanation without them leaves,"""
 AS_SOFTER = 0.9
@@ -32,7 +33,7 @@ def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectF
     left, soft = find_left_share(nominal, best), best.name == gears.id
     scene = windows.basis.scene.with_phi(nominal.phi)
     known = gears.id in {term.effect.id for term in windows.held}
-    if known or gears.explain_absence(scene) is not None or scene.apart or (left < SHOWN and not soft):
+    if known or gears.explain_absence(scene) is not None or scene.apart or (left < ONE_IS_ENOUGH and not soft):
         return None
     others = [fit for fit in singles if fit.name != gears.id]
     bases = [nominal, *sorted(others, key=lambda fit: fit.chi_square)[:1]]
@@ -40,7 +41,7 @@ def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectF
     found = fit_all(windows, [add_effect(windows, base, gears, starts) for base in bases])
     base, fit = min(zip(bases, found, strict=True), key=lambda pair: pair[1].chi_square)
     there = find_left_share(nominal, fit)
-    if there > EXPLAIN * find_left_share(nominal, base) or there > left + SHOWN:
+    if there > EXPLAIN * find_left_share(nominal, base) or there > left + ONE_IS_ENOUGH:
         return None
     return _term_of(windows, fit)
 

@@ -69,6 +69,7 @@ CODES = {
     "mode": "report-of-mode",
     "moving": "report-of-moving",
     "noise_factor": "report-of-noise-factor",
+    "offset": "report-of-offset",
     "over": "report-of-over",
     "phase": "report-of-phase",
     "place": "report-of-place",

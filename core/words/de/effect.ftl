@@ -115,6 +115,7 @@ effect-parameter-mass = Masse
 effect-parameter-mode = Mode
 effect-parameter-moving = beweglicher Anteil
 effect-parameter-noise-factor = Rauschfaktor
+effect-parameter-offset = Nullpunkt
 effect-parameter-over = Dauer
 effect-parameter-phase = Phase
 effect-parameter-place = Ort

@@ -341,6 +341,7 @@ report-of-mass = Masse
 report-of-mode = Mode
 report-of-moving = beweglicher Anteil
 report-of-noise-factor = Rauschfaktor
+report-of-offset = Nullpunkt
 report-of-over = Dauer
 report-of-phase = Phase
 report-of-place = Ort

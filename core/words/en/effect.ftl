@@ -115,6 +115,7 @@ effect-parameter-mass = mass
 effect-parameter-mode = mode
 effect-parameter-moving = moving part
 effect-parameter-noise-factor = noise factor
+effect-parameter-offset = offset
 effect-parameter-over = duration
 effect-parameter-phase = phase
 effect-parameter-place = place

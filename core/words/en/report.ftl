@@ -343,6 +343,7 @@ report-of-mass = mass
 report-of-mode = mode
 report-of-moving = moving
 report-of-noise-factor = noise factor
+report-of-offset = offset
 report-of-over = over
 report-of-phase = phase
 report-of-place = place

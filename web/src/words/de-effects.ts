@@ -93,6 +93,7 @@ export const deEffects: typeof enEffects = {
     mode: 'Mode',
     moving: 'beweglicher Anteil',
     noise_factor: 'Rauschfaktor',
+    offset: 'Nullpunkt',
     over: 'Dauer',
     phase: 'Phase',
     place: 'Ort',
