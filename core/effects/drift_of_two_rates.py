@@ -10,6 +10,7 @@ from core.array import Array
 from core.effects.effect import Parameter
 from core.effects.scene import Scene
 from core.effects.sensor_drift import SensorDrift, settling
+from core.effects.vectors import add_course
 from core.words.message import Message
 
 RATES = ((0.02, 0.3), (0.05, 0.6), (0.005, 0.1))
@@ -30,7 +31,7 @@ class DriftOfTwoRates(SensorDrift):
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus both drifts."""
         one, second = theta[:-7], theta[-7:]
-        return super().wrench(scene, w, one) + np.outer(settling(scene.elapsed, second[6]), second[:6])
+        return np.asarray(add_course(super().wrench(scene, w, one), settling(scene.elapsed, second[6]), second[:6]))
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """Twins keep one rate."""

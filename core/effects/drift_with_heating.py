@@ -14,6 +14,7 @@ from core.effects.channels import amplitudes, expand_to_channels
 from core.effects.effect import Parameter
 from core.effects.scene import Scene
 from core.effects.sensor_drift import SensorDrift
+from core.effects.vectors import add_course
 from core.effects.window_search import weights
 from core.words.message import Message
 
@@ -48,7 +49,7 @@ class DriftWithHeating(SensorDrift):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus the offset by then."""
-        return np.asarray(w + np.outer(_warm(scene.elapsed, *theta[6:]), theta[:6]))
+        return np.asarray(add_course(w, _warm(scene.elapsed, *theta[6:]), theta[:6]))
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """It was switched so once."""

@@ -8,6 +8,7 @@ from core.array import Array
 from core.effects.channels import amplitudes, expand_to_channels, say_largest
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
+from core.effects.vectors import add_course
 from core.words.message import Message
 
 REFERENCE = 60.0
@@ -38,10 +39,10 @@ class SensorDrift(Effect):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus the drift with time and, where it is recorded, with temperature; zero in the first row of the run."""
-        W = w + np.outer(settling(scene.elapsed, theta[6]), theta[:6])
+        W = add_course(w, settling(scene.elapsed, theta[6]), theta[:6])
         if scene.temperature is not None:
             first = scene.past("temperature").first(scene.temperature)
-            W += np.outer(scene.temperature - first, theta[7:])
+            W = add_course(W, scene.temperature - first, theta[7:])
         return np.asarray(W)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:

@@ -9,6 +9,7 @@ from core.effects.change_points import change_points
 from core.effects.channels import amplitudes, expand_to_channels, say_largest
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
+from core.effects.vectors import add_course
 from core.words.message import Message
 
 
@@ -29,7 +30,7 @@ class SensorOffsetStep(Effect):
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus the jump A from t0 on, reached within one sample."""
         step = np.clip((scene.elapsed - theta[6]) / scene.period, 0.0, 1.0)
-        return np.asarray(w + np.outer(step, theta[:6]))
+        return np.asarray(add_course(w, step, theta[:6]))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The jumps, at most four, that the residual shows, with the signs that it shows there; the default where it shows none."""

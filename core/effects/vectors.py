@@ -67,6 +67,17 @@ def add_force(w: Array, f: Array, place: Array, torque: Array) -> Array:
 
 
 @njit(cache=True)
+def add_course(w: Array, course: Array, sizes: Array) -> Array:
+    """(N, 6), w plus one course (N,) in all channels, in each of its size (6,)."""
+    out = np.empty_like(w)
+    for k in range(len(w)):
+        x = course[k]
+        for c in range(6):
+            out[k, c] = w[k, c] + x * sizes[c]
+    return out
+
+
+@njit(cache=True)
 def load_of_moment(omega: Array, alpha: Array, b: Array, s: Array, ds: Array, dds: Array) -> tuple[Array, Array]:
     """Force and torque about its place, (N, 3) each, of a first moment s (N, 3), kg m, with its rates, in the field b (N, 3):
     `s'' + 2 omega x s' + alpha x s + omega x (omega x s)` and `s x b`."""

@@ -233,8 +233,10 @@ class PhiPart(DiagnosisPart):
 class PayloadPart(DiagnosisPart):
     """The payload before and after the effect was added."""
 
-    before: PhiPart = Field(description="The payload as it was identified without the effect.")
-    after: PhiPart = Field(description="The payload as it is identified with it.")
+    before: PhiPart = Field(description="The payload as it is identified without any effect.")
+    after: PhiPart = Field(
+        description="The payload as it is identified with it; where others may be the cause, averaged over all by their probability."
+    )
 
     @computed_field(examples=[[0.4, -1.2, 0.1, 3.6, 0.0, 0.2, -0.1, 0.5, 0.0, 0.3]])  # type: ignore[prop-decorator]  # mypy knows no decorator above a property
     @property

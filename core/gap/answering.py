@@ -5,8 +5,6 @@ from __future__ import annotations
 from functools import reduce
 from itertools import islice
 
-import numpy as np
-
 from core.effects.effect import STAGE_NAMES
 from core.effects.parameter_title import find_title
 from core.estimation.determination import find_determined
@@ -32,6 +30,7 @@ from core.gap.effect_fit import EffectFit
 from core.gap.evidence import EXPLAINED, Evidence
 from core.gap.joint_side import joint_side
 from core.gap.materiality import payload_shift
+from core.gap.payload_after import describe_payload_after
 from core.gap.proposal import Proposal
 from core.gap.residual import Residual
 from core.gap.symptoms import find_leading, observe_symptoms
@@ -227,19 +226,6 @@ def _where(recording: Recording, residual: Residual, best: EffectFit, verdict: V
 def describe_payload(fit: EffectFit) -> PhiPart:
     """What a fit makes of the payload."""
     return PhiPart(phi=fit.phi.tolist(), std=fit.phi_std.tolist(), determined=find_determined(fit.phi, fit.phi_std).tolist())
-
-
-def describe_payload_after(evidence: Evidence) -> PhiPart:
-    """What the explanations that are named make of the payload, each by its probability: within them and between them."""
-    if evidence.verdict != "ambiguous":
-        return describe_payload(evidence.best)
-    fits = _find_open(evidence)
-    known = {fit.name: p for fit, p in evidence.attribution.explained}
-    share = np.array([known[fit.name] for fit in fits]) / sum(known[fit.name] for fit in fits)
-    each = np.array([fit.phi for fit in fits])
-    phi = share @ each
-    std = np.sqrt(share @ (np.square([fit.phi_std for fit in fits]) + np.square(each - phi)))
-    return PhiPart(phi=phi.tolist(), std=std.tolist(), determined=find_determined(phi, std).tolist())
 
 
 def not_enough(reason: Message, seconds: float) -> Diagnosis:

@@ -43,6 +43,15 @@ class _Look(NamedTuple):
     known: dict[bytes, Array]
 
 
+class _Slope(NamedTuple):
+    """Derivatives J (6K, n) of the rows (6K,) at one point of the parameters, with the payload phi."""
+
+    theta: Array
+    phi: Array
+    rows: Array
+    J: Array
+
+
 class Problem:
     """Rows and derivatives for one set of effects.
 
@@ -67,6 +76,7 @@ class Problem:
         self.upper = np.array([p.upper for p in self.parameters])
         self.X, self.XX = windows.flat, windows.normal
         self._last: _Look | None = None
+        self._slope: _Slope | None = None
         self._always: dict[int, Array] = {}
         """Derivatives by what follows the course of a run, which is linear in it: the same everywhere."""
         self.target = windows.target.ravel()
@@ -110,7 +120,10 @@ class Problem:
         return w
 
     def linearise(self, theta: Array, phi: Array) -> tuple[Array, Array]:
-        """Rows of the change (6K,), and their derivatives by theta (6K, n)."""
+        """Rows of the change (6K,), and their derivatives by theta (6K, n); where a step from there was in vain, they are still known."""
+        known = self._slope
+        if known is not None and np.array_equal(known.theta, theta) and np.array_equal(known.phi, phi):
+            return known.rows, known.J
         here = self._look(theta, phi)
         steps = np.where(theta + STEP * self.scale <= self.upper, 1.0, -1.0) * STEP * self.scale
         J = np.empty((len(steps), len(here.rows)))
@@ -124,6 +137,7 @@ class Problem:
             np.divide(J[k], step, out=J[k])
             if self.only_adds and not self.parameters[k].shown:
                 self._always[k] = J[k].copy()
+        self._slope = _Slope(theta, here.scene.phi, here.rows, J.T)
         return here.rows, J.T
 
     def _look(self, theta: Array, phi: Array) -> _Look:

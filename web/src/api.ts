@@ -7428,9 +7428,9 @@ export interface components {
          * @description The payload before and after the effect was added.
          */
         PayloadPart: {
-            /** @description The payload as it was identified without the effect. */
+            /** @description The payload as it is identified without any effect. */
             before: components["schemas"]["PhiPart"];
-            /** @description The payload as it is identified with it. */
+            /** @description The payload as it is identified with it; where others may be the cause as well, averaged over all by their probability. */
             after: components["schemas"]["PhiPart"];
             /**
              * Change Over Interval

@@ -1,0 +1,32 @@
+"""`core.gap.problem`: what is kept from one step of a fit to the next is what a problem that was never elsewhere finds."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from core.effects.payload_shift import PayloadShift
+from core.effects.time_delay import TimeDelay
+from core.gap.basis import basis_of
+from core.gap.problem import Problem
+from core.gap.windows import Windows
+from tests.synthetic import payload, record, run_of
+
+
+def test_derivatives_are_those_of_the_point_that_is_asked_for_wherever_the_last_one_was() -> None:
+    recording = record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(0))
+    windows = Windows(basis_of(recording))
+    effects = (PayloadShift(), TimeDelay())
+    problem = Problem(windows, effects)
+    here, phi = problem.absent + 0.3 * problem.scale, windows.phi
+    elsewhere, lighter = problem.absent - 0.2 * problem.scale, 0.9 * windows.phi
+    asked = [(here, phi), (elsewhere, phi), (here, phi), (here, phi), (here, lighter), (here, phi)]
+    for theta, body in asked:
+        problem.cost(np.concatenate((lighter, np.zeros(len(windows.prior_std) - 10))), elsewhere)  # a step that was tried in vain
+        rows, J = problem.linearise(theta, body)
+        fresh_rows, fresh_J = Problem(windows, effects).linearise(theta, body)
+        np.testing.assert_array_equal(rows, fresh_rows)
+        np.testing.assert_array_equal(J, fresh_J)
+    step = 1e-4 * problem.scale[-1]
+    later = here + step * np.eye(len(here))[-1]
+    slope = (problem.linearise(later, phi)[0] - problem.linearise(here, phi)[0]) / step
+    np.testing.assert_allclose(slope, problem.linearise(here, phi)[1][:, -1], rtol=0.02, atol=0.02 * np.abs(slope).max())
