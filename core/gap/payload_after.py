@@ -3,6 +3,9 @@
 Hoeting et al., Bayesian model averaging: a tutorial, Statistical Science 14 (1999): what the explanations disagree about widens the
 intervals as what each leaves open does. Of the mixture the shortest interval counts that holds 95 %: a rival that is improbable and far
 away widens it a little, and not by its distance, as it does a standard deviation.
+
+What an explanation leaves of the gap may have moved the payload as well, and such an error is not seen in any residual: the payload has
+taken it up. It is counted in proportion: what is left of the gap, a tenth of its size, moves the payload by a tenth of what the rest did.
 """
 
 from __future__ import annotations
@@ -13,7 +16,9 @@ from scipy.special import ndtr
 from core.array import Array
 from core.estimation.determination import find_determined
 from core.gap.answer import INTERVAL, PhiPart
+from core.gap.effect_fit import EffectFit
 from core.gap.evidence import Evidence
+from core.gap.weighing import find_left_share
 
 HELD = 0.95
 """Of the mixture, by an interval."""
@@ -27,14 +32,22 @@ BELOW = np.linspace(0.0, 1.0 - HELD, 101)
 
 def describe_payload_after(evidence: Evidence) -> PhiPart:
     """The payload with the middles of the intervals as values; that of the nominal twin where no effect is probable."""
+    nominal = evidence.nominal
     if not evidence.best.effects:
-        phi, std = evidence.best.phi, evidence.best.phi_std
+        phi, std = nominal.phi, nominal.phi_std
     else:
-        told = [*evidence.attribution.explained, (evidence.nominal, evidence.attribution.none)]
+        told = [*evidence.attribution.explained, (nominal, evidence.attribution.none)]
         probable = [(fit, p) for fit, p in told if p > LEAST]
         share = np.array([p for _, p in probable])
-        phi, std = average(share / share.sum(), np.array([fit.phi for fit, _ in probable]), np.array([fit.phi_std for fit, _ in probable]))
+        each = np.array([fit.phi for fit, _ in probable])
+        own = np.array([np.hypot(fit.phi_std, _find_hidden(nominal, fit)) for fit, _ in probable])
+        phi, std = average(share / share.sum(), each, own)
     return PhiPart(phi=phi.tolist(), std=std.tolist(), determined=find_determined(phi, std).tolist())
+
+
+def _find_hidden(nominal: EffectFit, fit: EffectFit) -> Array:
+    """(10,), standard uncertainty by what the fit leaves of the gap."""
+    return np.asarray(np.sqrt(find_left_share(nominal, fit)) * np.abs(fit.phi - nominal.phi))
 
 
 def average(share: Array, phi: Array, std: Array) -> tuple[Array, Array]:

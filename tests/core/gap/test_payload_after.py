@@ -17,16 +17,16 @@ NONE = np.zeros(0)
 PHI = np.array([2.0, 0.0, 0.0, 0.2, 0.03, 0.0, 0.0, 0.03, 0.0, 0.004])
 
 
-def fit(name: str, mass: float, std: float) -> EffectFit:
-    """One effect, or none, with a mass and a standard uncertainty of each parameter."""
+def fit(name: str, mass: float, std: float, left_sigma2: float = 0.0) -> EffectFit:
+    """One effect, or none, with a mass, a standard uncertainty of each parameter, and what it leaves over per row beyond the noise."""
     beta = np.concatenate(([mass], PHI[1:]))
-    spread, flat = std**2 * np.eye(10), np.zeros((6, 10))
-    return EffectFit((BY_ID[name],) if name else (), (), NONE, beta, spread, spread, flat, 0.0, 0.0, flat, flat)
+    spread, flat = std**2 * np.eye(10), np.zeros((6, 2000))
+    return EffectFit((BY_ID[name],) if name else (), (), NONE, beta, spread, spread, flat, 0.0, 0.0, flat + 1.0 + left_sigma2, flat)
 
 
 def found(none: float, *explained: tuple[EffectFit, float]) -> Evidence:
     """Evidence with these explanations, the most probable first; the rest is unknown."""
-    nominal = fit("", 2.5, 0.01)
+    nominal = fit("", 2.5, 0.01, 100.0)
     unknown = 1.0 - none - sum(p for _, p in explained)
     attribution = Attribution(none, unknown, explained, (), 0.0)
     return Evidence(None, nominal, tuple(each for each, _ in explained), (), attribution, ())  # type: ignore[arg-type]  # no windows are read
@@ -62,6 +62,14 @@ def test_what_two_probable_explanations_disagree_about_is_left_open() -> None:
     low, high = after.phi[0] + np.array([-1.96, 1.96]) * after.std[0]
     assert low < 2.0
     assert high > 2.1
+
+
+def test_what_is_left_of_the_gap_counts_as_it_moved_the_payload_before() -> None:
+    """From 2.5 to 2.0 kg; 1 % of the gap's square is left, a tenth of the gap."""
+    left = 100.0 * 0.01
+    after = describe_payload_after(found(0.0, (fit("base_tilt", 2.0, 0.01, left), 0.9)))
+    assert after.std[0] == pytest.approx(np.hypot(0.01, 0.1 * 0.5), rel=0.03)
+    assert after.std[1] == pytest.approx(0.01, rel=0.01)  # which no effect moved
 
 
 def test_where_no_effect_is_probable_the_payload_stays_that_of_the_nominal_twin() -> None:
