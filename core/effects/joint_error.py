@@ -11,59 +11,30 @@ import numpy as np
 from numba import njit
 
 from core.array import Array
+from core.effects.joint_twists import find_joint_twists
 from core.effects.scene import Scene
 from core.payload.inertia import Motion
 from core.words.message import Message
 
 
 @njit(cache=True)
-def _fill_twist_changes(J: Array, dq: Array, E: Array) -> None:
-    """Fills E (n, 6) with the change of the twist per radian of each joint's error."""
-    vx = vy = vz = wx = wy = wz = 0.0
-    for j in range(len(dq)):
-        ax, ay, az, bx, by, bz = J[0, j], J[1, j], J[2, j], J[3, j], J[4, j], J[5, j]
-        E[j, 0] = bz * vy - by * vz + az * wy - ay * wz
-        E[j, 1] = bx * vz - bz * vx + ax * wz - az * wx
-        E[j, 2] = by * vx - bx * vy + ay * wx - ax * wy
-        E[j, 3] = bz * wy - by * wz
-        E[j, 4] = bx * wz - bz * wx
-        E[j, 5] = by * wx - bx * wy
-        s = dq[j]
-        vx += ax * s
-        vy += ay * s
-        vz += az * s
-        wx += bx * s
-        wy += by * s
-        wz += bz * s
-
-
-@njit(cache=True)
 def _true_motion(
-    J: Array, dq: Array, error: Array, second: Array, g0: Array, a0: Array, omega0: Array, alpha0: Array, period: float
+    J: Array, E: Array, velocity: Array, error: Array, second: Array, g0: Array, a0: Array, omega0: Array, alpha0: Array, period: float
 ) -> Array:
-    """(4, N, 3): gravity, acceleration, angular velocity and acceleration. J and dq may begin one row before all others; `second`, the
-    second derivative of the error, may be empty."""
+    """(4, N, 3): gravity, acceleration, angular velocity and acceleration. J, E and the velocity (`JointTwists`) may begin one row before
+    all others; `second`, the second derivative of the error, may be empty."""
     N, n = error.shape
-    shift = len(dq) - N
+    shift = len(E) - N
     out = np.empty((4, N, 3))
-    now, before = np.zeros((n, 6)), np.zeros((n, 6))
-    if shift > 0:
-        _fill_twist_changes(J[0], dq[0], now)
     twist, rate = np.empty(6), np.empty(6)
     for k in range(N):
         i = k + shift
-        now, before = before, now
-        _fill_twist_changes(J[i], dq[i], now)
         gx, gy, gz = g0[k, 0], g0[k, 1], g0[k, 2]
-        vx = vy = vz = 0.0
+        vx, vy, vz = velocity[i, 0], velocity[i, 1], velocity[i, 2]
         twist[:] = 0.0
         rate[:] = 0.0
         for j in range(n):
             e = error[k, j]
-            s = dq[i, j]
-            vx += J[i, 0, j] * s
-            vy += J[i, 1, j] * s
-            vz += J[i, 2, j] * s
             if e != 0.0:  # R(-e J_j) to second order, joint after joint
                 rx, ry, rz = e * J[i, 3, j], e * J[i, 4, j], e * J[i, 5, j]
                 dx, dy, dz = ry * gz - rz * gy, rz * gx - rx * gz, rx * gy - ry * gx
@@ -71,10 +42,11 @@ def _true_motion(
                 gy += 0.5 * (rz * dx - rx * dz) - dy
                 gz += 0.5 * (rx * dy - ry * dx) - dz
                 for c in range(6):
-                    twist[c] += e * now[j, c]
-                    rate[c] += e * (now[j, c] - before[j, c])
+                    twist[c] += e * E[i, j, c]
+                    if i > 0:
+                        rate[c] += e * (E[i, j, c] - E[i - 1, j, c])
         for c in range(6):
-            rate[c] = rate[c] / period if i > 0 else 0.0
+            rate[c] /= period
         for j in range(n if len(second) else 0):
             for c in range(6):
                 rate[c] += J[i, c, j] * second[k, j]
@@ -102,8 +74,10 @@ def true_motion(scene: Scene, error: Array, acceleration: Array | None = None) -
         raise ValueError("an error of the joints needs a scene with joints (see Effect.explain_lack)")
     m = scene.motion
     J, dq = scene.past("jacobian").before(scene.jacobian, 1), scene.past("dq").before(scene.dq, 1)
+    known = scene.joint_twists if scene.memory is None else None
+    twists = find_joint_twists(J, dq) if known is None else known
     second = np.zeros((0, 0)) if acceleration is None else np.ascontiguousarray(acceleration)
-    out = _true_motion(J, dq, np.ascontiguousarray(error), second, m.g, m.a, m.omega, m.alpha, scene.period)
+    out = _true_motion(J, *twists, np.ascontiguousarray(error), second, m.g, m.a, m.omega, m.alpha, scene.period)
     return Motion(out[0], out[1], out[2], out[3])
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from scipy.sparse import csr_array, eye_array
 
 from core.array import Array
+from core.effects.joint_twists import find_joint_twists
 from core.errors import HeftError
 from core.estimation.kinematics import Poses, axial, poses_of, smooth_motion
 from core.estimation.lost_rows import is_broken
@@ -141,7 +142,8 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
         equations = _take_rest(equations, g, np.asarray(spread @ still.astype(float)))
     if equations.at_rest:
         V = regressor_of(-g, np.zeros_like(B))
-    scene = replace(scene, noise=noise.std, residual_window=equations.step)
+    twists = None if scene.jacobian is None or scene.dq is None else find_joint_twists(scene.jacobian, scene.dq)
+    scene = replace(scene, noise=noise.std, residual_window=equations.step, joint_twists=twists)
     measured, zero_std = np.asarray(reading @ wrench), find_zero_std(recording)
     return Basis(poses, noise, segments, scene, measured, V, reference, zero_std, spread, reading, raw.difference, equations)
 

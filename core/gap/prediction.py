@@ -118,7 +118,7 @@ def append_scene(scene: Scene, ahead: Scene) -> Scene:
     }
     motion = Motion(*[np.concatenate((getattr(scene.motion, k), getattr(ahead.motion, k))) for k in ("g", "a", "omega", "alpha")])
     t = np.concatenate((scene.t, scene.t[-1] + BETWEEN_RUNS_S + ahead.t - ahead.t[0]))
-    return replace(scene, t=t, motion=motion, **rows)
+    return replace(scene, t=t, motion=motion, joint_twists=None, **rows)
 
 
 def _rows_of(first: Array | None, then: Array | None, count: int) -> Array | None:
