@@ -6,6 +6,7 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict
 from scipy.fft import dct
 
+from core.array import Array
 from core.gap.effect_fit import EffectFit
 
 BLOCKS = 10
@@ -29,6 +30,7 @@ class Trace(BaseModel):
         by_band: (3,), chi-square per row of the residual at low, middle and high frequencies.
         lag: (6,), correlation between neighbouring rows of the residual.
         log_evidence: Laplace's.
+        payload_error, payload_std: (10,), of the payload against the true one, and its standard uncertainty; none in older files.
     """
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False)
@@ -44,6 +46,8 @@ class Trace(BaseModel):
     by_band: tuple[float, ...]
     lag: tuple[float, ...]
     log_evidence: float
+    payload_error: tuple[float, ...] = ()
+    payload_std: tuple[float, ...] = ()
 
     @property
     def further(self) -> int:
@@ -56,8 +60,8 @@ class Trace(BaseModel):
         return sum(self.by_block)
 
 
-def trace_of(fit: EffectFit) -> Trace:
-    """The numbers of one fit."""
+def trace_of(fit: EffectFit, phi: Array) -> Trace:
+    """The numbers of one fit to a recording of the payload phi (10,)."""
     r, held_out = fit.residual, fit.held_out
     fitted = [(v, p) for v, p in zip(fit.theta, fit.parameters, strict=True)][: len(fit.theta) - fit.kept_absent]
     away = [abs(v - p.absent) / p.scale for v, p in fitted]
@@ -76,4 +80,6 @@ def trace_of(fit: EffectFit) -> Trace:
         by_band=tuple(float(band.mean()) if band.size else 0.0 for band in np.split(power, edges, axis=1)),
         lag=tuple(lag.tolist()),
         log_evidence=fit.log_evidence,
+        payload_error=tuple((fit.phi - phi).tolist()),
+        payload_std=tuple(fit.phi_std.tolist()),
     )

@@ -69,7 +69,7 @@ def run_trial(seed: int) -> Trial:
         gap=gap_of(windows, evidence.nominal),
         matters=bool(planted.families) and does_matter(windows, evidence.nominal, planted.phi),
         material=evidence.material,
-        traces=tuple(trace_of(fit) for fit in (evidence.nominal, *evidence.singles, *evidence.joined)),
+        traces=tuple(trace_of(fit, planted.phi) for fit in (evidence.nominal, *evidence.singles, *evidence.joined)),
         seconds=time.process_time() - began,
         version=code_version(),
     )
