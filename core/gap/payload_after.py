@@ -5,7 +5,8 @@ intervals as what each leaves open does. Of the mixture the shortest interval co
 away widens it a little, and not by its distance, as it does a standard deviation.
 
 What an explanation leaves of the gap may have moved the payload as well, and such an error is not seen in any residual: the payload has
-taken it up. It is counted in proportion: what is left of the gap, a tenth of its size, moves the payload by a tenth of what the rest did.
+taken it up. It is counted in proportion: where a tenth of the gap is left, so many tenths of what the explanation moved the payload by as
+simulated trials have shown (`hidden` in `probabilities.json`).
 """
 
 from __future__ import annotations
@@ -16,13 +17,12 @@ from scipy.special import ndtr
 from core.array import Array
 from core.estimation.determination import find_determined
 from core.gap.answer import INTERVAL, PhiPart
-from core.gap.effect_fit import EffectFit
 from core.gap.evidence import Evidence
-from core.gap.weighing import find_left_share
+from core.gap.weighing import find_left_share, read_figures
 
 HELD = 0.95
 """Of the mixture, by an interval."""
-LEAST = 1e-6
+LEAST = 1e-4
 """Probability below which an explanation moves no end of an interval."""
 REACH = np.linspace(-5.0, 5.0, 201)
 """Where each explanation's distribution is looked at, in its standard deviations."""
@@ -33,27 +33,36 @@ BELOW = np.linspace(0.0, 1.0 - HELD, 101)
 def describe_payload_after(evidence: Evidence) -> PhiPart:
     """The payload with the middles of the intervals as values; that of the nominal twin where no effect is probable."""
     nominal = evidence.nominal
-    if not evidence.best.effects:
-        phi, std = nominal.phi, nominal.phi_std
+    if evidence.best.effects:
+        fits, p = zip(*evidence.attribution.explained, (nominal, evidence.attribution.none), strict=True)
+        phi, std = average(
+            np.array(p),
+            np.array([fit.phi for fit in fits]),
+            np.array([fit.phi_std for fit in fits]),
+            np.array([find_left_share(nominal, fit) for fit in fits]),
+            nominal.phi,
+            read_figures().hidden,
+        )
     else:
-        told = [*evidence.attribution.explained, (nominal, evidence.attribution.none)]
-        probable = [(fit, p) for fit, p in told if p > LEAST]
-        share = np.array([p for _, p in probable])
-        each = np.array([fit.phi for fit, _ in probable])
-        own = np.array([np.hypot(fit.phi_std, _find_hidden(nominal, fit)) for fit, _ in probable])
-        phi, std = average(share / share.sum(), each, own)
+        phi, std = nominal.phi, nominal.phi_std
     return PhiPart(phi=phi.tolist(), std=std.tolist(), determined=find_determined(phi, std).tolist())
 
 
-def _find_hidden(nominal: EffectFit, fit: EffectFit) -> Array:
-    """(10,), standard uncertainty by what the fit leaves of the gap."""
-    return np.asarray(np.sqrt(find_left_share(nominal, fit)) * np.abs(fit.phi - nominal.phi))
+def average(p: Array, phi: Array, std: Array, left: Array, nominal: Array, hidden: float) -> tuple[Array, Array]:
+    """Middle (n,) and standard uncertainty (n,) of the shortest interval that holds 95 %, as a normal distribution with such an interval
+    has them.
 
-
-def average(share: Array, phi: Array, std: Array) -> tuple[Array, Array]:
-    """Middle (n,) and standard uncertainty (n,) of the shortest interval that holds 95 % of normal distributions about phi (k, n) with std
-    (k, n), in shares (k,) that sum to 1; the uncertainty is that of a normal distribution with such an interval."""
-    ends = np.array([_find_shortest(share, *each) for each in zip(phi.T, std.T, strict=True)])
+    Args:
+        p: (k,), probabilities of the explanations; where they sum to less than 1, the rest is shared among them.
+        phi, std: (k, n), what each makes of the payload.
+        left: (k,), share of the gap's square that each leaves.
+        nominal: (n,), the payload without any.
+        hidden: how much of what is left hides in the payload, against how the gap moved it (`Figures.hidden`).
+    """
+    probable = p > LEAST
+    share, mean, moved = p[probable] / p[probable].sum(), phi[probable], np.abs(phi[probable] - nominal)
+    own = np.hypot(std[probable], hidden * np.sqrt(left[probable])[:, None] * moved)
+    ends = np.array([_find_shortest(share, *each) for each in zip(mean.T, own.T, strict=True)])
     return ends.mean(axis=1), (ends[:, 1] - ends[:, 0]) / (2.0 * INTERVAL)
 
 

@@ -70,6 +70,8 @@ class Figures(BaseModel):
             the gap, and what ten times as much adds to them.
         outside: probability below which an answer is left out of the set that holds the truth in 90 % of all cases.
         overlooked: probability that something matters although the verdict is that nothing does.
+        hidden: how much of what an explanation leaves of the gap hides in the payload: its standard uncertainty, against the root of the
+            share that is left, times what the explanation moved it by.
     """
 
     model_config = ConfigDict(frozen=True)
@@ -77,6 +79,7 @@ class Figures(BaseModel):
     figures: dict[str, float]
     outside: float
     overlooked: float
+    hidden: float
     provenance: Provenance
 
 
