@@ -16,7 +16,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from bench.calibration.intervals import find_held_left_out, find_hidden
+from bench.calibration.intervals import find_held_left_out, find_widened
 from bench.calibration.learning import can_teach, learn, predict_left_out, stack
 from bench.calibration.scores import HEADER, find_coverage, find_outside, score
 from bench.calibration.trial import Trial, run_trial
@@ -55,7 +55,7 @@ def learn_figures(trials: list[Trial]) -> Figures:
     left_out = predict_left_out(trials)
     learnt = score(trials, left_out)
     covered, size = find_coverage(trials, left_out)
-    hidden, payload_held = find_hidden(trials, left_out), find_held_left_out(trials, left_out)
+    widened, payload_held = find_widened(trials, left_out), find_held_left_out(trials, left_out)
     print(HEADER, learnt.say("variants left out"), sep="\n")
     print(f"sets that are to hold the truth in 90 %: {100 * covered:.1f} %, {size:.1f} answers each")
     held = {} if payload_held is None else {"payload_held": round(payload_held, 3)}
@@ -68,7 +68,7 @@ def learn_figures(trials: list[Trial]) -> Figures:
         figures={name: round(value, 4) for name, value in learn(stack(teaching)).items()},
         outside=round(find_outside(teaching, left_out), 4),
         overlooked=round((missed + 1) / (len(counted) + 2), 4),
-        hidden=round(hidden, 2),
+        widened=round(widened, 2),
         provenance=Provenance(
             date=f"{datetime.now(UTC):%Y-%m-%d}",
             trials=len(trials),

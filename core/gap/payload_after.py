@@ -5,8 +5,8 @@ intervals as what each leaves open does. Of the mixture the shortest interval co
 away widens it a little, and not by its distance, as it does a standard deviation.
 
 What an explanation leaves of the gap may have moved the payload as well, and such an error is not seen in any residual: the payload has
-taken it up. It is counted in proportion: where a tenth of the gap is left, so many tenths of what the explanation moved the payload by as
-simulated trials have shown (`hidden` in `probabilities.json`).
+taken it up. It is counted in proportion: what is left of the gap, a tenth of its size, moves the payload by a tenth of what the explanation
+did. And no model has quite the shape of its cause: by how much all that has to be wider, simulated trials tell (`Figures.widened`).
 """
 
 from __future__ import annotations
@@ -41,14 +41,14 @@ def describe_payload_after(evidence: Evidence) -> PhiPart:
             np.array([fit.phi_std for fit in fits]),
             np.array([find_left_share(nominal, fit) for fit in fits]),
             nominal.phi,
-            read_figures().hidden,
+            read_figures().widened,
         )
     else:
         phi, std = nominal.phi, nominal.phi_std
     return PhiPart(phi=phi.tolist(), std=std.tolist(), determined=find_determined(phi, std).tolist())
 
 
-def average(p: Array, phi: Array, std: Array, left: Array, nominal: Array, hidden: float) -> tuple[Array, Array]:
+def average(p: Array, phi: Array, std: Array, left: Array, nominal: Array, widened: float) -> tuple[Array, Array]:
     """Middle (n,) and standard uncertainty (n,) of the shortest interval that holds 95 %, as a normal distribution with such an interval
     has them.
 
@@ -57,11 +57,11 @@ def average(p: Array, phi: Array, std: Array, left: Array, nominal: Array, hidde
         phi, std: (k, n), what each makes of the payload.
         left: (k,), share of the gap's square that each leaves.
         nominal: (n,), the payload without any.
-        hidden: how much of what is left hides in the payload, against how the gap moved it (`Figures.hidden`).
+        widened: factor on each explanation's uncertainty.
     """
     probable = p > LEAST
     share, mean, moved = p[probable] / p[probable].sum(), phi[probable], np.abs(phi[probable] - nominal)
-    own = np.hypot(std[probable], hidden * np.sqrt(left[probable])[:, None] * moved)
+    own = widened * np.hypot(std[probable], np.sqrt(left[probable])[:, None] * moved)
     ends = np.array([_find_shortest(share, *each) for each in zip(mean.T, own.T, strict=True)])
     return ends.mean(axis=1), (ends[:, 1] - ends[:, 0]) / (2.0 * INTERVAL)
 

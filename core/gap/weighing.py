@@ -70,8 +70,7 @@ class Figures(BaseModel):
             the gap, and what ten times as much adds to them.
         outside: probability below which an answer is left out of the set that holds the truth in 90 % of all cases.
         overlooked: probability that something matters although the verdict is that nothing does.
-        hidden: how much of what an explanation leaves of the gap hides in the payload: its standard uncertainty, against the root of the
-            share that is left, times what the explanation moved it by.
+        widened: factor on the payload's uncertainty within each explanation, by which intervals hold the truth as often as they say.
     """
 
     model_config = ConfigDict(frozen=True)
@@ -79,7 +78,7 @@ class Figures(BaseModel):
     figures: dict[str, float]
     outside: float
     overlooked: float
-    hidden: float
+    widened: float
     provenance: Provenance
 
 

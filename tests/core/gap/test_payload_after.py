@@ -15,6 +15,7 @@ from core.gap.weighing import read_figures
 
 BY_ID = {effect.id: effect for effect in library()}
 NONE = np.zeros(0)
+WIDENED = read_figures().widened
 PHI = np.array([2.0, 0.0, 0.0, 0.2, 0.03, 0.0, 0.0, 0.03, 0.0, 0.004])
 
 
@@ -48,14 +49,14 @@ def test_the_interval_is_the_shortest_that_holds_19_of_20_draws(seed: int) -> No
 
 def test_one_explanation_alone_is_taken_as_it_is() -> None:
     after = describe_payload_after(found(0.0, (fit("base_tilt", 2.0, 0.01), 0.9)))
-    np.testing.assert_allclose(after.std, 0.01, rtol=0.002)
+    np.testing.assert_allclose(after.std, WIDENED * 0.01, rtol=0.002)
     np.testing.assert_allclose(after.phi, PHI, atol=2e-4)
 
 
 def test_an_improbable_rival_far_away_widens_the_interval_a_little_and_not_by_its_distance() -> None:
     after = describe_payload_after(found(0.0, (fit("base_tilt", 2.0, 0.01), 0.97), (fit("time_delay", 3.0, 0.01), 0.03)))
     assert after.phi[0] == pytest.approx(2.0, abs=1e-3)
-    assert 0.0105 < after.std[0] < 0.0125
+    assert 1.05 < after.std[0] / (WIDENED * 0.01) < 1.25
 
 
 def test_what_two_probable_explanations_disagree_about_is_left_open() -> None:
@@ -69,8 +70,8 @@ def test_what_is_left_of_the_gap_counts_as_it_moved_the_payload_before() -> None
     """From 2.5 to 2.0 kg; 1 % of the gap's square is left, a tenth of the gap."""
     left = 100.0 * 0.01
     after = describe_payload_after(found(0.0, (fit("base_tilt", 2.0, 0.01, left), 0.9)))
-    assert after.std[0] == pytest.approx(np.hypot(0.01, read_figures().hidden * 0.1 * 0.5), rel=0.03)
-    assert after.std[1] == pytest.approx(0.01, rel=0.01)  # which no effect moved
+    assert after.std[0] == pytest.approx(WIDENED * np.hypot(0.01, 0.1 * 0.5), rel=0.03)
+    assert after.std[1] == pytest.approx(WIDENED * 0.01, rel=0.01)  # which no effect moved
 
 
 def test_where_no_effect_is_probable_the_payload_stays_that_of_the_nominal_twin() -> None:
