@@ -34,7 +34,7 @@ class _Look(NamedTuple):
         theta: the point.
         scene: with the payload there.
         rows: (6K,), of the change.
-        known: wrenches behind the first effects.
+        known: what each effect does there, by its parameters.
     """
 
     theta: Array
@@ -91,7 +91,8 @@ class Problem:
         """(N, 6) on the scene's grid.
 
         Args:
-            known: wrenches behind the first effects, by their parameters, for calls in which the rest moves; filled here.
+            known: what effects add, by their own parameters, and wrenches behind those that do not only add, by all parameters up to
+                theirs; for calls in which the rest moves. Filled here.
         """
         return self._behind(theta, scene, scene.nominal, {} if known is None else known) - scene.nominal
 
@@ -113,10 +114,16 @@ class Problem:
         for effect, free, fixed in self._chain:
             end += free
             values = theta[end - free : end] if fixed is None else fixed
-            key = effect.id.encode() + theta[:end].tobytes()
-            if key not in known:
-                known[key] = effect.wrench(scene, w, values)
-            w = known[key]
+            if effect.only_adds:
+                key = b"added by " + effect.id.encode() + values.tobytes()
+                if key not in known:
+                    known[key] = effect.wrench(scene, np.zeros_like(w), values)
+                w = w + known[key]
+            else:
+                key = effect.id.encode() + theta[:end].tobytes()
+                if key not in known:
+                    known[key] = effect.wrench(scene, w, values)
+                w = known[key]
         return w
 
     def linearise(self, theta: Array, phi: Array) -> tuple[Array, Array]:
