@@ -6,7 +6,8 @@ away widens it a little, and not by its distance, as it does a standard deviatio
 
 What an explanation leaves of the gap may have moved the payload as well, and such an error is not seen in any residual: the payload has
 taken it up. It is counted in proportion: what is left of the gap, a tenth of its size, moves the payload by a tenth of what the explanation
-did. And no model has quite the shape of its cause: by how much all that has to be wider, simulated trials tell (`Figures.widened`).
+did. And no model has quite the shape of its cause: by how much all that has to be wider where a gap matters, simulated trials tell
+(`Figures.widened`).
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ def describe_payload_after(evidence: Evidence) -> PhiPart:
             np.array([fit.phi_std for fit in fits]),
             np.array([find_left_share(nominal, fit) for fit in fits]),
             nominal.phi,
-            read_figures().widened,
+            read_figures().widened if evidence.material else 1.0,
         )
     else:
         phi, std = nominal.phi, nominal.phi_std

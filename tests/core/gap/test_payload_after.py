@@ -26,12 +26,14 @@ def fit(name: str, mass: float, std: float, left_sigma2: float = 0.0) -> EffectF
     return EffectFit((BY_ID[name],) if name else (), (), NONE, beta, spread, spread, flat, 0.0, 0.0, flat + 1.0 + left_sigma2, flat)
 
 
-def found(none: float, *explained: tuple[EffectFit, float]) -> Evidence:
+def found(none: float, *explained: tuple[EffectFit, float], material: bool = True) -> Evidence:
     """Evidence with these explanations, the most probable first; the rest is unknown."""
     nominal = fit("", 2.5, 0.01, 100.0)
     unknown = 1.0 - none - sum(p for _, p in explained)
     attribution = Attribution(none, unknown, explained, (), 0.0)
-    return Evidence(None, nominal, tuple(each for each, _ in explained), (), attribution, ())  # type: ignore[arg-type]  # no windows are read
+    evidence = Evidence(None, nominal, tuple(each for each, _ in explained), (), attribution, ())  # type: ignore[arg-type]  # none are read
+    evidence.__dict__["material"] = material
+    return evidence
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -51,6 +53,12 @@ def test_one_explanation_alone_is_taken_as_it_is() -> None:
     after = describe_payload_after(found(0.0, (fit("base_tilt", 2.0, 0.01), 0.9)))
     np.testing.assert_allclose(after.std, WIDENED * 0.01, rtol=0.002)
     np.testing.assert_allclose(after.phi, PHI, atol=2e-4)
+
+
+def test_intervals_are_widened_only_where_the_gap_matters_as_it_did_in_the_trials_that_tell_by_how_much() -> None:
+    minor = describe_payload_after(found(0.0, (fit("base_tilt", 2.0, 0.01), 0.9), material=False))
+    np.testing.assert_allclose(minor.std, 0.01, rtol=0.002)
+    assert WIDENED > 1.0
 
 
 def test_an_improbable_rival_far_away_widens_the_interval_a_little_and_not_by_its_distance() -> None:
