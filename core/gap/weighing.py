@@ -70,8 +70,8 @@ class Figures(BaseModel):
             the gap, and what ten times as much adds to them.
         outside: probability below which an answer is left out of the set that holds the truth in 90 % of all cases.
         overlooked: probability that something matters although the verdict is that nothing does.
-        widened: factor on the payload's uncertainty within each explanation of a gap that matters, by which intervals hold the truth as often
-            as they say.
+        widened: factor on the payload's uncertainty within each explanation of a gap that matters, by which intervals hold the truth as
+            often as they say.
     """
 
     model_config = ConfigDict(frozen=True)
