@@ -30,15 +30,14 @@ def run_trial(drawn: DrawnTrial, keep: Path | None = None) -> TrialOutcome:
     """Runs the procedure with the faults, diagnoses without them, and opens the seal. On one core.
 
     Args:
-        keep: folder in which the recording is left, under the trial's seed.
+        keep: folder in which the recording is left, under the trial's seed: at the end, so that a trial which is cut short leaves nothing
+            in the way of its next time.
     """
     sealed = drawn.sealed
     try:
         recording = record_procedure(drawn, (*drawn.background, *drawn.faults))
     except Stopped as error:
         return make_stopped_outcome(sealed, error.message)
-    if keep is not None:
-        write_recording(recording, keep / str(sealed.seed))
     diagnosis, evidence = examine(recording, fit_all=one_by_one)
     nominal = drawn.cell.payloads[sealed.payload].parameters
     payload = true_payload_of(drawn.cell, nominal, (*drawn.background, *drawn.faults)).phi
@@ -46,6 +45,8 @@ def run_trial(drawn: DrawnTrial, keep: Path | None = None) -> TrialOutcome:
     truth = _truth(drawn)
     after = None if evidence is None else second_look(drawn, recording, evidence, SMOOTH)
     second = None if after is None else make_outcome(sealed, after, truth, payload, bound)
+    if keep is not None:
+        write_recording(recording, keep / str(sealed.seed))
     return make_outcome(sealed, diagnosis, truth, payload, bound).model_copy(update={"second": second})
 
 
