@@ -7430,7 +7430,7 @@ export interface components {
         PayloadPart: {
             /** @description The payload as it is identified without any effect. */
             before: components["schemas"]["PhiPart"];
-            /** @description The payload as it is identified with it; where others may be the cause as well, averaged over all by their probability. */
+            /** @description The payload as it is identified with it; where others may be the cause, averaged over all by their probability. */
             after: components["schemas"]["PhiPart"];
             /**
              * Change Over Interval
