@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.optimize import brentq
 
+from bench.calibration.learning import FOLDS
 from bench.calibration.trial import Trial
 from core.array import Array
 from core.gap.answer import INTERVAL
@@ -15,7 +16,6 @@ from core.gap.weighing import find_left_share
 
 LARGEST = 10.0
 """More would mean that intervals are wrong for another reason."""
-FOLDS = 5
 
 
 def find_widened(trials: Sequence[Trial], told: dict[int, Array]) -> float:

@@ -7,7 +7,6 @@ from itertools import islice
 
 from core.effects.effect import STAGE_NAMES
 from core.effects.parameter_title import find_title
-from core.estimation.determination import find_determined
 from core.gap.addable import split_parameter_rows, why_not_addable
 from core.gap.answer import (
     Change,
@@ -30,7 +29,7 @@ from core.gap.effect_fit import EffectFit
 from core.gap.evidence import EXPLAINED, Evidence
 from core.gap.joint_side import joint_side
 from core.gap.materiality import payload_shift
-from core.gap.payload_after import describe_payload_after
+from core.gap.payload_after import describe_payload_after, describe_phi
 from core.gap.proposal import Proposal
 from core.gap.residual import Residual
 from core.gap.symptoms import find_leading, observe_symptoms
@@ -225,7 +224,7 @@ def _where(recording: Recording, residual: Residual, best: EffectFit, verdict: V
 
 def describe_payload(fit: EffectFit) -> PhiPart:
     """What a fit makes of the payload."""
-    return PhiPart(phi=fit.phi.tolist(), std=fit.phi_std.tolist(), determined=find_determined(fit.phi, fit.phi_std).tolist())
+    return describe_phi(fit.phi, fit.phi_std)
 
 
 def not_enough(reason: Message, seconds: float) -> Diagnosis:

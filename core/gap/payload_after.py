@@ -46,6 +46,11 @@ def describe_payload_after(evidence: Evidence) -> PhiPart:
         )
     else:
         phi, std = nominal.phi, nominal.phi_std
+    return describe_phi(phi, std)
+
+
+def describe_phi(phi: Array, std: Array) -> PhiPart:
+    """A payload with its standard uncertainty, (10,) each, and what of it is determined."""
     return PhiPart(phi=phi.tolist(), std=std.tolist(), determined=find_determined(phi, std).tolist())
 
 
