@@ -10,7 +10,9 @@ advice-joint-elasticity-rigid = Nehmen Sie die Steifigkeit der Gelenke in den Zw
 advice-joint-friction = Fahren Sie die Gelenke einige Minuten warm, lassen Sie nachsehen, welche mehr reiben als früher, und geben Sie die bleibende Reibung in cell.toml an (robot.friction).
 advice-joint-offset = Justieren Sie den Nullpunkt von Gelenk { $joint }, der um { DEGREES($error_rad, digits: 2) }° verschoben ist (alle Gelenke: { $zeros }).
 advice-joint-offset-uneven = Zentrieren oder ersetzen Sie den Geber von Gelenk { $joint }, der einmal je Umdrehung um { DEGREES($error_rad, digits: 2) }° abweicht.
+advice-joint-offset-warming = Lassen Sie den Arm vor dem Messen einige Minuten laufen: der Nullpunkt von Gelenk { $joint } wandert um { DEGREES($change_rad, digits: 2) }° in { FIXED($within_s, digits: 0) } s.
 advice-kinematic-lag = Zeichnen Sie ungefilterte Gelenkstellungen auf, oder verschieben Sie die Zeitstempel der Gelenke um { MILLI($lag_s, digits: 1) } ms nach vorn.
+advice-kinematic-lag-joints = Zeichnen Sie die Stellungen aller Gelenke zum selben Zeitpunkt und ungefiltert auf: Gelenk { $joint } ist { MILLI($lag_s, digits: 1) } ms zu spät, das mit der kleinsten Verspätung { MILLI($least_s, digits: 1) } ms.
 advice-payload-loose = Befestigen Sie das lose Teil der Last: etwa { PERCENT($mass_share) } % ihrer Masse geben unter ihrem Gewicht um { MILLI($sag_m) } mm nach und schwingen mit { FIXED($frequency_hz, digits: 1) } Hz.
 advice-payload-loose-hanging = Befestigen Sie das lose Teil der Last: etwa { PERCENT($mass_share) } % ihrer Masse hängen { MILLI($sag_m) } mm unter der Aufhängung und schwingen mit { FIXED($frequency_hz, digits: 1) } Hz.
 advice-payload-loose-hinge = Befestigen Sie das drehbare Teil der Last: seine schwere Seite sinkt nach unten. Sein statisches Moment um die Drehachse beträgt { MILLI($first_moment_kg_m, digits: 1) } kg mm.
@@ -32,6 +34,7 @@ advice-sample-dropout = Gleichen Sie die Rate der Aufzeichnung der des Sensors a
 }
 advice-sensor-creep = Warten Sie nach einer Laständerung etwa { FIXED($wait_s, digits: 0) } s, bevor Sie nullen oder messen: { $channel } kriecht in { FIXED($within_s, digits: 0) } s um { PERCENT($creep_share, digits: 2) } % der Änderung.
 advice-sensor-crosstalk = Laden Sie die Kalibriermatrix des Sensors neu, oder lassen Sie ihn neu kalibrieren: { $load } von { $of_channel } erscheint als { $shown } in { $in_channel }.
+advice-sensor-crosstalk-products = Lassen Sie den Sensor mit Lasten in mehreren Kanälen zugleich kalibrieren: { $first } mal { $second } bringt { PERCENT($share, digits: 1) } % seiner Last in { $in_channel }.
 advice-sensor-drift = Lassen Sie den Sensor 20 Minuten warm werden, und nullen Sie ihn kurz vor dem Lauf: sein Nullpunkt wanderte in { FIXED($within_s, digits: 0) } s um { $drift }.
 advice-sensor-gain = Lassen Sie den Sensor mit bekannten Gewichten in beiden Richtungen neu kalibrieren: gegen die anderen Kanäle weicht { $channel } um { PERCENT($positive_share, digits: 1) } % ab, wo er positiv ist, und um { PERCENT($negative_share, digits: 1) } %, wo er negativ ist.
 advice-sensor-gain-jump = Lassen Sie prüfen, ob sich im Sensor ein Dehnungsmessstreifen oder eine Ader gelöst hat, und ihn neu kalibrieren: { $channel } änderte seine Verstärkung bei { FIXED($at_s, digits: 1) } s um { PERCENT($change_share, digits: 1) } %.

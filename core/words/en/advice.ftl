@@ -10,7 +10,9 @@ advice-joint-elasticity-rigid = Enter the joints' stiffness in the cell's twin, 
 advice-joint-friction = Warm the joints up by a few minutes of motion, have those looked at that rub more than they did, and state the friction that is left in cell.toml (robot.friction).
 advice-joint-offset = Calibrate the zero of joint { $joint }, which is off by { DEGREES($error_rad, digits: 2) } deg (all joints: { $zeros }).
 advice-joint-offset-uneven = Centre or replace the encoder of joint { $joint }, which errs by { DEGREES($error_rad, digits: 2) } deg once per turn.
+advice-joint-offset-warming = Let the arm move for some minutes before it is measured: the zero of joint { $joint } creeps by { DEGREES($change_rad, digits: 2) } deg within { FIXED($within_s, digits: 0) } s.
 advice-kinematic-lag = Record unfiltered joint positions, or shift the joints' time stamps { MILLI($lag_s, digits: 1) } ms earlier.
+advice-kinematic-lag-joints = Record the positions of all joints at one instant and unfiltered: joint { $joint } is { MILLI($lag_s, digits: 1) } ms late, the one that is least late { MILLI($least_s, digits: 1) } ms.
 advice-payload-loose = Fasten the loose part of the payload: about { PERCENT($mass_share) } % of its mass gives by { MILLI($sag_m) } mm under its weight and swings at { FIXED($frequency_hz, digits: 1) } Hz.
 advice-payload-loose-hanging = Fasten the loose part of the payload: about { PERCENT($mass_share) } % of its mass hangs { MILLI($sag_m) } mm below where it is held and swings at { FIXED($frequency_hz, digits: 1) } Hz.
 advice-payload-loose-hinge = Fasten the part of the payload that turns on a hinge: its heavy side goes down. Its first moment about the hinge is { MILLI($first_moment_kg_m, digits: 1) } kg mm.
@@ -32,6 +34,7 @@ advice-sample-dropout = Match the recorder's rate to the sensor's or relieve its
 }
 advice-sensor-creep = Wait about { FIXED($wait_s, digits: 0) } s after a change of load before taring or measuring: { $channel } creeps by { PERCENT($creep_share, digits: 2) } % of the change within { FIXED($within_s, digits: 0) } s.
 advice-sensor-crosstalk = Load the sensor's calibration matrix anew or have it recalibrated: { $load } of { $of_channel } shows as { $shown } in { $in_channel }.
+advice-sensor-crosstalk-products = Have the sensor calibrated with loads in several channels at once: { $first } times { $second } adds { PERCENT($share, digits: 1) } % of its load to { $in_channel }.
 advice-sensor-drift = Let the sensor warm up for 20 min and tare it just before the run: its offset went { $drift } in { FIXED($within_s, digits: 0) } s.
 advice-sensor-gain = Have the sensor recalibrated with known weights in both directions: against the other channels { $channel } is off by { PERCENT($positive_share, digits: 1) } % where it is positive and by { PERCENT($negative_share, digits: 1) } % where it is negative.
 advice-sensor-gain-jump = Have the sensor checked for a gauge or a wire that has come off, and recalibrated: at { FIXED($at_s, digits: 1) } s { $channel } changed its gain by { PERCENT($change_share, digits: 1) } %.
