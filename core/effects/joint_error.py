@@ -19,10 +19,20 @@ from core.words.message import Message
 
 @njit(cache=True)
 def _true_motion(
-    J: Array, E: Array, velocity: Array, error: Array, second: Array, g0: Array, a0: Array, omega0: Array, alpha0: Array, period: float
+    J: Array,
+    E: Array,
+    velocity: Array,
+    error: Array,
+    first: Array,
+    second: Array,
+    g0: Array,
+    a0: Array,
+    omega0: Array,
+    alpha0: Array,
+    period: float,
 ) -> Array:
     """(4, N, 3): gravity, acceleration, angular velocity and acceleration. J, E and the velocity (`JointTwists`) may begin one row before
-    all others; `second`, the second derivative of the error, may be empty."""
+    all others; `first` and `second`, the derivatives of the error, may be empty."""
     N, n = error.shape
     shift = len(E) - N
     out = np.empty((4, N, 3))
@@ -45,6 +55,12 @@ def _true_motion(
                     twist[c] += e * E[i, j, c]
                     if i > 0:
                         rate[c] += e * (E[i, j, c] - E[i - 1, j, c])
+        for j in range(n if len(first) else 0):
+            for c in range(6):
+                twist[c] += J[i, c, j] * first[k, j]
+                rate[c] += E[i, j, c] * first[k, j] * period
+                if i > 0:
+                    rate[c] += (J[i, c, j] - J[i - 1, c, j]) * first[k, j]
         for c in range(6):
             rate[c] /= period
         for j in range(n if len(second) else 0):
@@ -62,13 +78,14 @@ def _true_motion(
     return out
 
 
-def true_motion(scene: Scene, error: Array, acceleration: Array | None = None) -> Motion:
+def true_motion(scene: Scene, error: Array, acceleration: Array | None = None, velocity: Array | None = None) -> Motion:
     """The sensor's motion with joints at `q + error`.
 
     Args:
         scene: with joints.
-        error: (N, n), rad. What its own change adds to velocities is left out; it is slow against the motion.
-        acceleration: (N, n), second derivative of the error, rad/s2, where it is not slow.
+        error: (N, n), rad.
+        acceleration, velocity: (N, n), second derivative of the error, rad/s2, and the first, rad/s, where they are not slow against the
+            motion: else what the error's own change adds to accelerations, to velocities, is left out.
     """
     if scene.jacobian is None or scene.dq is None:
         raise ValueError("an error of the joints needs a scene with joints (see Effect.explain_lack)")
@@ -76,8 +93,8 @@ def true_motion(scene: Scene, error: Array, acceleration: Array | None = None) -
     J, dq = scene.past("jacobian").before(scene.jacobian, 1), scene.past("dq").before(scene.dq, 1)
     known = scene.joint_twists if scene.memory is None else None
     twists = find_joint_twists(J, dq) if known is None else known
-    second = np.zeros((0, 0)) if acceleration is None else np.ascontiguousarray(acceleration)
-    out = _true_motion(J, *twists, np.ascontiguousarray(error), second, m.g, m.a, m.omega, m.alpha, scene.period)
+    first, second = (np.zeros((0, 0)) if x is None else np.ascontiguousarray(x) for x in (velocity, acceleration))
+    out = _true_motion(J, *twists, np.ascontiguousarray(error), first, second, m.g, m.a, m.omega, m.alpha, scene.period)
     return Motion(out[0], out[1], out[2], out[3])
 
 

@@ -31,9 +31,11 @@ class LagOfEachJoint(KinematicLag):
         if scene.dq is None:
             raise ValueError("lags of joints need a scene with joints (see Effect.explain_lack)")
         mean = theta.mean(keepdims=True)
-        jerk = derivative(derivative(scene.dq, scene.period, scene.past("dq")), scene.period, scene.past("ddq"))
+        ddq = derivative(scene.dq, scene.period, scene.past("dq of lags"))
+        dddq = derivative(ddq, scene.period, scene.past("ddq of lags"))
         apart = theta - mean
-        return super().wrench(scene, w, mean) + wrench_change(scene, true_motion(scene, apart * scene.dq, apart * jerk))
+        true = true_motion(scene, apart * scene.dq, apart * dddq, apart * ddq)
+        return super().wrench(scene, w, mean) + wrench_change(scene, true)
 
     def explain_lack(self, scene: Scene) -> Message | None:
         """A reason where the recording has no joint positions."""

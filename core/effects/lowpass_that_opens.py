@@ -54,20 +54,21 @@ class LowpassThatOpens(SensorLowpass):
 def _follow(w: Array, time_constant: float, opening: Array, period: float, past: Past) -> Array:
     if time_constant < 1e-9 * period:
         return w.copy()
-    first = w[0] if past.rows is None else past.rows[0]
-    out = np.asarray(_outputs(w, first, period / time_constant, opening))
-    past.rows = out[-1:].copy()
+    before, y = (w[0], w[0]) if past.rows is None else (past.rows[0], past.rows[1])
+    out = np.asarray(_outputs(w, before, y, period / time_constant, opening))
+    past.rows = np.stack([w[-1], out[-1]])
     return out
 
 
 @njit(cache=True)
-def _outputs(w: Array, first: Array, rate: float, opening: Array) -> Array:
+def _outputs(w: Array, before: Array, y: Array, rate: float, opening: Array) -> Array:
+    """Behind inputs that stay at their mean from row to row, after the input and the output of the row before the first."""
     N, n = w.shape
     out = np.empty_like(w)
     for j in range(n):
-        y = first[j]
+        last, now = before[j], y[j]
         for k in range(N):
-            away = w[k, j] - y
-            y -= math.expm1(-rate * (1.0 + abs(away) * opening[j])) * away
-            out[k, j] = y
+            away = 0.5 * (last + w[k, j]) - now
+            now -= math.expm1(-rate * (1.0 + abs(away) * opening[j])) * away
+            out[k, j], last = now, w[k, j]
     return out
