@@ -9,12 +9,12 @@ NODE_FITS := $(shell node -e 'const [a, b] = process.versions.node.split(".").ma
 CONSOLE := web/dist/index.html
 CONSOLE_SOURCES := $(shell find web/src core/words -type f ! -name '*.py*') web/index.html web/vite.config.ts web/tsconfig.json
 
-.PHONY: run test test-thorough check check-console bench wheel clean
+.PHONY: run test test-thorough check check-style check-types check-console bench wheel clean
 
 run: $(VENV)/.run $(if $(filter true,$(NODE_FITS)),$(CONSOLE),without-console)
 	$(BIN)/heft serve
 
-test: check $(CONSOLE)
+test: check $(CONSOLE) $(VENV)/.compiled
 	$(BIN)/python -m pytest -n 3 --dist worksteal --ignore=tests/web  # one more than cores: tests of the service wait much
 	$(BIN)/python -m pytest -n 2 --dist loadfile tests/web  # by themselves: browsers that draw without a graphics card keep the cores busy
 
@@ -22,12 +22,15 @@ test-thorough: $(VENV)/.dev $(CONSOLE)
 	$(BIN)/python -m pytest -n 2 --dist worksteal -m thorough --ignore=tests/web
 	$(BIN)/python -m pytest -n 2 --dist loadfile -m thorough tests/web
 
-check: $(VENV)/.dev
+check: check-style check-types check-console
+
+check-style: $(VENV)/.dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/mypy
 	$(BIN)/lint-imports
-	$(MAKE) --no-print-directory check-console
+
+check-types: $(VENV)/.dev
+	$(BIN)/mypy
 
 check-console: web/node_modules/.ready $(VENV)/.run
 	$(BIN)/heft openapi web/openapi.json
@@ -50,6 +53,12 @@ without-console:
 
 node:
 	@[ "$(NODE_FITS)" = true ] || { echo "The operator console needs Node $(NODE_NEEDED) or later to be built and checked; found $$(node --version 2>/dev/null || echo none). Install it from nodejs.org."; exit 2; }
+
+# What is compiled at its first call: once, not by each of the processes that test at the same time.
+$(VENV)/.compiled: $(VENV)/.run
+	out=$$(mktemp -d) && $(BIN)/heft run lwr4_bench --payload steel_block --out $$out/run >/dev/null && \
+		$(BIN)/heft diagnose $$out/run >/dev/null && rm -rf $$out
+	@touch $@
 
 web/node_modules/.ready: web/package-lock.json web/package.json | node
 	cd web && npm ci --loglevel=error

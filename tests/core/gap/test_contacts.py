@@ -155,7 +155,7 @@ def test_the_stretches_are_told_in_the_answer_and_to_the_person_at_the_robot(dia
     assert diagnosis.where.stage == "environment"
 
 
-@pytest.mark.parametrize("doubt", [0.2, 0.45])
+@pytest.mark.parametrize("doubt", [pytest.param(0.2, marks=pytest.mark.thorough), 0.45])
 def test_what_contacts_and_an_effect_explain_is_no_surer_than_that_effect_is_of_the_rest(
     pushed_and_tilted: Recording, monkeypatch: pytest.MonkeyPatch, doubt: float
 ) -> None:

@@ -81,24 +81,28 @@ def test_what_is_wrong_besides_is_named_alone() -> None:
     assert mass == pytest.approx(LOST.change_kg, abs=4.0 * evidence.best.theta_std[1] + 2e-4)
 
 
+@pytest.mark.thorough
 def test_gears_that_are_little_beside_what_is_wrong_are_no_second_cause() -> None:
     verdict, evidence = examined(SOUND, replace(LOST, change_kg=-0.06))
     assert (verdict, evidence.best.name) == ("explained", "payload_mass_change")
     assert held(evidence) == ["joint_elasticity"]
 
 
+@pytest.mark.thorough
 def test_two_that_are_wrong_besides_are_named_without_a_third() -> None:
     verdict, evidence = examined(SOUND, replace(LOST, change_kg=-0.03), Delay(0.004))
     assert (verdict, evidence.best.name) == ("explained", "payload_mass_change+time_delay")
     assert held(evidence) == ["joint_elasticity"]
 
 
+@pytest.mark.thorough
 def test_softer_joints_beside_something_else_are_named() -> None:
     verdict, evidence = examined(SOFT, replace(LOST, change_kg=-0.1))
     assert (verdict, evidence.best.name) == ("explained", "joint_elasticity+payload_mass_change")
     assert held(evidence) == []
 
 
+@pytest.mark.thorough
 def test_a_sensor_that_hides_the_swinging_is_named() -> None:
     verdict, evidence = examined(STIFF, PLAY)
     assert (verdict, evidence.best.name) == ("explained", "sensor_hysteresis")
@@ -111,13 +115,17 @@ def test_joints_that_are_softer_are_named() -> None:
     assert np.median(evidence.best.theta[:6]) > SOFTEST_RAD_PER_NM
 
 
+@pytest.mark.thorough
 def test_a_stiff_arm_has_none() -> None:
     verdict, evidence = examined(LOST)
     assert (verdict, evidence.best.name) == ("explained", "payload_mass_change")
     assert held(evidence) == []
 
 
-@pytest.mark.parametrize(("faults", "payload", "hid"), [((SOUND,), "steel_block", True), ((SOUND, LOST), "cylinder", False)])
+@pytest.mark.parametrize(
+    ("faults", "payload", "hid"),
+    [pytest.param((SOUND,), "steel_block", True, marks=pytest.mark.thorough), ((SOUND, LOST), "cylinder", False)],
+)
 def test_what_the_swinging_hid_is_looked_at_anew(faults: tuple[Fault, ...], payload: str, hid: bool) -> None:
     begun_anew: set[str] = set()
 

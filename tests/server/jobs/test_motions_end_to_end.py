@@ -21,6 +21,7 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
         yield running
 
 
+@pytest.mark.thorough  # tests/web/test_proposed_motion.py goes the same way, at the screen
 def test_a_proposed_motion_is_made_like_any_run_and_its_recording_holds_both(service: RealService, console: Console) -> None:
     first = stopped_in_its_first_hold(console)
     diagnosis = diagnosed_run(service, first, next_experiment=SWINGS)
