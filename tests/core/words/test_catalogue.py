@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 
 import jinja2
@@ -36,6 +37,7 @@ class Entry:
     terms: set[str] = field(default_factory=set)
 
 
+@cache
 def read(language: str) -> dict[str, Entry]:
     entries: dict[str, Entry] = {}
     for file in sorted((FOLDER / language).glob("*.ftl")):
@@ -81,10 +83,6 @@ def walk(node: object) -> Iterator[object]:
                     yield from walk(child)
 
 
-CATALOGUES = {language: read(language) for language in LANGUAGES}
-ENGLISH = CATALOGUES["en"]
-
-
 @dataclass
 class Use:
     """A code where the source names it, with the keywords of the call that it is an argument of; None where there is no such call."""
@@ -94,6 +92,7 @@ class Use:
     given: set[str] | None
 
 
+@cache
 def uses() -> list[Use]:
     found: list[Use] = []
     for file in sorted([*(ROOT / "core").rglob("*.py"), *(ROOT / "server").rglob("*.py")]):
@@ -123,44 +122,41 @@ def is_code(text: str) -> bool:
     )
 
 
-USES = uses()
-
-
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_language_has_the_same_messages_with_the_same_parts_and_names(language: str) -> None:
-    theirs = CATALOGUES[language]
-    assert sorted(theirs) == sorted(ENGLISH)
-    different = [code for code, entry in ENGLISH.items() if (entry.parts, entry.names) != (theirs[code].parts, theirs[code].names)]
+    theirs, english = read(language), read("en")
+    assert sorted(theirs) == sorted(english)
+    different = [code for code, entry in english.items() if (entry.parts, entry.names) != (theirs[code].parts, theirs[code].names)]
     assert different == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_message_stands_in_the_file_that_its_code_begins_with(language: str) -> None:
-    misplaced = [code for code, entry in CATALOGUES[language].items() if entry.file != "flaw" and not code.startswith(f"{entry.file}-")]
+    misplaced = [code for code, entry in read(language).items() if entry.file != "flaw" and not code.startswith(f"{entry.file}-")]
     assert misplaced == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_messages_use_only_functions_that_there_are(language: str) -> None:
-    assert {name for entry in CATALOGUES[language].values() for name in entry.functions} <= {*NUMBERS, PERSON, "NUMBER"}
+    assert {name for entry in read(language).values() for name in entry.functions} <= {*NUMBERS, PERSON, "NUMBER"}
 
 
 def test_every_code_of_the_source_has_words() -> None:
-    assert [f"{use.place}: {use.code}" for use in USES if use.code not in ENGLISH] == []
+    assert [f"{use.place}: {use.code}" for use in uses() if use.code not in read("en")] == []
 
 
 def test_every_message_is_given_all_that_its_words_name() -> None:
     lacking = [
         f"{use.place}: {use.code} lacks {sorted(missing)}"
-        for use in USES
-        if use.given is not None and use.code in ENGLISH and (missing := ENGLISH[use.code].names - use.given - BUILT_IN)
+        for use in uses()
+        if use.given is not None and use.code in read("en") and (missing := read("en")[use.code].names - use.given - BUILT_IN)
     ]
     assert lacking == []
 
 
 def test_every_message_is_used() -> None:
-    used = {use.code for use in USES} | {term for entry in ENGLISH.values() for term in entry.terms}
-    unused = [code for code, entry in ENGLISH.items() if code not in used and entry.file not in {"flaw", "schema"}]
+    used = {use.code for use in uses()} | {term for entry in read("en").values() for term in entry.terms}
+    unused = [code for code, entry in read("en").items() if code not in used and entry.file not in {"flaw", "schema"}]
     assert unused == []
 
 
