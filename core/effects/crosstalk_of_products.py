@@ -30,6 +30,7 @@ class CrosstalkOfProducts(SensorCrosstalk):
     """
 
     wider_shape = True
+    stands_alone = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Those of the linear one, then for each channel the products of two, all but its own square, as shares."""

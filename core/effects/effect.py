@@ -73,6 +73,8 @@ class Effect(ABC):
     """Whether the least change of the load can make it jump."""
     needs_motion: ClassVar[bool] = False
     """Whether what it does depends on the way from one pose to the next."""
+    stands_alone: ClassVar[bool] = False
+    """Whether it is sought by itself only: beside another its many parameters would take up whatever that leaves."""
 
     @abstractmethod
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
