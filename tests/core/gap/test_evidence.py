@@ -6,8 +6,14 @@ import numpy as np
 import pytest
 
 from bench.calibration.planting import plant_trial
+from core.effects.crosstalk_of_products import CrosstalkOfProducts
 from core.effects.delay_that_grows import DelayThatGrows
+from core.effects.effect import Effect
+from core.effects.lag_of_each_joint import LagOfEachJoint
 from core.effects.library import library
+from core.effects.lowpass_that_opens import LowpassThatOpens
+from core.effects.ripple_that_varies import RippleThatVaries
+from core.effects.zeros_that_warm_up import ZerosThatWarmUp
 from core.gap.basis import basis_of
 from core.gap.evidence import gather
 from core.gap.fit_all import one_by_one
@@ -17,6 +23,12 @@ TWO = 24
 """Cross-talk and a delay."""
 RUNS_OFF = 42
 """A clock that runs off: too early at first, too late in the end, so that a constant delay explains a fifth."""
+FILLS = 190
+"""A hose that fills: unknown, and followed by a cable beside products of channels."""
+
+
+def few(*names: str) -> list[Effect]:
+    return [effect for effect in library() if effect.id in names]
 
 
 def test_a_richer_shape_is_sought_although_four_other_effects_explain_more_than_the_plain_one() -> None:
@@ -37,3 +49,29 @@ def test_what_the_twin_has_is_kept_in_its_plain_shape_beside_further_effects(id_
     evidence = gather(Windows(basis, (twin,)), list(few.values()), one_by_one)
     assert (evidence.verdict, evidence.best.name) == ("explained", "time_delay+sensor_crosstalk")
     assert not any(effect.wider_shape for fit in (*evidence.singles, *evidence.joined) for effect in fit.effects if effect.id == id_)
+
+
+@pytest.mark.parametrize(
+    ("seed", "rivals", "shape"),
+    [
+        (100, ("kinematic_lag", "time_delay", "external_contact"), LagOfEachJoint),
+        (129, ("joint_offset", "sensor_crosstalk", "sensor_offset_step"), ZerosThatWarmUp),
+        (26, ("sensor_lowpass", "time_delay", "sensor_creep"), LowpassThatOpens),
+        (159, ("gear_ripple", "joint_backlash", "time_delay"), RippleThatVaries),
+        (340, ("sensor_crosstalk", "sensor_gain", "sensor_nonlinearity"), CrosstalkOfProducts),
+    ],
+    ids=["lags", "zeros", "filter", "ripple", "products"],
+)
+def test_what_a_plain_shape_follows_in_part_is_named_in_its_richer_one(seed: int, rivals: tuple[str, ...], shape: type[Effect]) -> None:
+    evidence = gather(Windows(basis_of(plant_trial(seed).recording)), few(*rivals), one_by_one)
+    assert [type(effect) for effect in evidence.best.effects] == [shape]
+    assert evidence.verdict == "explained"
+
+
+def test_cross_talk_of_products_takes_up_nothing_that_another_effect_leaves() -> None:
+    evidence = gather(
+        Windows(basis_of(plant_trial(FILLS).recording)), few("cable_drag", "sensor_crosstalk", "external_contact"), one_by_one
+    )
+    assert CrosstalkOfProducts in {type(effect) for fit in evidence.singles for effect in fit.effects}
+    assert CrosstalkOfProducts not in {type(effect) for fit in evidence.joined for effect in fit.effects}
+    assert evidence.verdict == "unknown"
