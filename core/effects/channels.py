@@ -12,6 +12,7 @@ from core.words.message import Message
 
 SUFFIXES = ("n", "n", "n", "nm", "nm", "nm")
 """Units as they stand in the names of parameters."""
+STANDARD_GRAVITY_M_S2 = 9.80665
 
 
 def expand_to_channels(force: float, torque: float) -> Array:
@@ -48,6 +49,13 @@ def full_scale(scene: Scene, w: Array) -> Array:
     if scene.range is not None:
         return np.asarray(scene.range, dtype=float)
     return np.asarray(np.maximum(np.abs(w).max(axis=0), expand_to_channels(1.0, 0.05)))
+
+
+def find_load_at_rest(phi: Array) -> Array:
+    """(6,), N and N m, the most that a payload (10,) makes of each channel at rest."""
+    moment = np.square(phi[1:4])
+    across = np.sqrt(moment.sum() - moment)
+    return np.asarray(np.maximum(STANDARD_GRAVITY_M_S2 * np.concatenate((np.full(3, abs(phi[0])), across)), expand_to_channels(1.0, 0.05)))
 
 
 def without_range(scene: Scene) -> Message | None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from core.array import Array
+from core.effects.channels import find_load_at_rest
 from core.effects.effect import Parameter
-from core.effects.nonlinearity_with_knee import find_load_at_rest
 from core.effects.scene import Scene
 from core.effects.sensor_crosstalk import SensorCrosstalk
 from core.effects.splines import smooth_by_splines
@@ -51,7 +51,7 @@ class CrosstalkOfProducts(SensorCrosstalk):
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """None of it, where products explain most of what all that is linear leaves."""
-        return [np.zeros(LINEAR + len(PRODUCTS))] if _show_in(scene, residual) else []
+        return [np.zeros(LINEAR + len(PRODUCTS))] if _do_products_show(scene, residual) else []
 
     def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises a calibration with loads in several channels at once, with the product that is largest."""
@@ -66,7 +66,7 @@ def _multiply(w: Array) -> Array:
     return np.asarray(w[:, FIRST] * w[:, SECOND])
 
 
-def _show_in(scene: Scene, residual: Array) -> bool:
+def _do_products_show(scene: Scene, residual: Array) -> bool:
     """Whether products of channels explain most of a residual (N, 6), beyond what payload, offset and all channels take up of each."""
     rows = slice(0, None, max(1, len(scene) // ROWS))
     w = scene.nominal / find_load_at_rest(scene.phi)
@@ -75,12 +75,12 @@ def _show_in(scene: Scene, residual: Array) -> bool:
     without = with_them = 0.0
     for i, r in enumerate(residual[rows].T):
         columns = np.hstack((V[:, i], one, w))
-        without += _left(columns, r)
-        with_them += _left(np.hstack((columns, products)), r)
+        without += _find_rest(columns, r)
+        with_them += _find_rest(np.hstack((columns, products)), r)
     return with_them < (1.0 - SIGN) * without
 
 
-def _left(columns: Array, r: Array) -> float:
+def _find_rest(columns: Array, r: Array) -> float:
     """The square of what columns (K, n) leave of r (K,)."""
     left = r - columns @ np.linalg.lstsq(columns, r, rcond=None)[0]
     return float(left @ left)

@@ -32,7 +32,7 @@ class JointOffset(Effect):
             for j in range(joint_count(scene))
         )
 
-    def smaller_shape(self, scene: Scene) -> int:
+    def smaller_shape(self, scene: Scene) -> int | None:
         """The zeros without waves."""
         return joint_count(scene)
 

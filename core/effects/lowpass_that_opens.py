@@ -8,10 +8,9 @@ import numpy as np
 from numba import njit
 
 from core.array import Array
-from core.effects.channels import shares
+from core.effects.channels import find_load_at_rest, shares
 from core.effects.effect import Parameter
 from core.effects.memory import Past
-from core.effects.nonlinearity_with_knee import find_load_at_rest
 from core.effects.scene import Scene
 from core.effects.sensor_lowpass import SensorLowpass
 from core.words.message import Message

@@ -5,15 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from core.array import Array
-from core.effects.channels import expand_to_channels, find_largest_channel, say_load, shares
+from core.effects.channels import find_largest_channel, find_load_at_rest, say_load, shares
 from core.effects.effect import Parameter
 from core.effects.scene import Scene
 from core.effects.sensor_nonlinearity import SensorNonlinearity
 from core.words.message import Message
 
-STANDARD_GRAVITY_M_S2 = 9.80665
-LEAST_LOAD = expand_to_channels(1.0, 0.05)
-"""N and N m."""
 KNEES = (0.25, 0.5, 0.75)
 """To start from."""
 
@@ -56,10 +53,3 @@ class NonlinearityWithKnee(SensorNonlinearity):
         k, channel = find_largest_channel(theta[:6])
         load = theta[6] * find_load_at_rest(scene.phi)[k]
         return Message.of("advice-sensor-nonlinearity-knee", channel=channel, change_share=theta[k], load=say_load(float(load), k))
-
-
-def find_load_at_rest(phi: Array) -> Array:
-    """(6,), N and N m, the most that a payload (10,) makes of each channel at rest."""
-    moment = np.square(phi[1:4])
-    across = np.sqrt(moment.sum() - moment)
-    return np.asarray(np.maximum(STANDARD_GRAVITY_M_S2 * np.concatenate((np.full(3, abs(phi[0])), across)), LEAST_LOAD))

@@ -33,9 +33,9 @@ class ZerosThatWarmUp(JointOffset):
             Parameter("settling_rate_per_s", "1/s", 0.0, -0.02, 2.0, 0.03),
         )
 
-    def smaller_shape(self, scene: Scene) -> int:
-        """All: zeros that stay are the plain one."""
-        return 2 * joint_count(scene) + 1
+    def smaller_shape(self, scene: Scene) -> int | None:
+        """None: zeros that stay are the plain one."""
+        return None
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus what the payload asks more with joints at these angles."""

@@ -114,13 +114,13 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
         swinging, (windows, nominal, singles) = nominal, _hold(windows, gears, singles, fit_all)
         if find_left_share(swinging, nominal) < HID_MOST:
             singles = choose_variants(nominal, [*singles, *_fit_singles(windows, nominal, shown, wider, fit_all)])
-    sociable = [effect for effect in (*shown, *wider) if not effect.stands_alone]
-    grown = _join(windows, nominal, singles, sociable, fit_all)
+    joinable = [effect for effect in (*shown, *wider) if not effect.stands_alone]
+    grown = _join(windows, nominal, singles, joinable, fit_all)
     needed = _find_needed(nominal, singles, grown)[:1]
     among = next((find_gears_among(windows, fit, fit_all) for fit in needed), None)
     if among is not None:
         windows, nominal, singles = _hold(windows, among, singles, fit_all)
-        grown = _join(windows, nominal, singles, sociable, fit_all)
+        grown = _join(windows, nominal, singles, joinable, fit_all)
     alone = [task for fit in grown[:1] for task in take_each_alone(windows, fit)]
     singles = choose_variants(nominal, [*singles, *fit_all(windows, alone)]) if alone else singles
     joined = _find_needed(nominal, singles, grown)
@@ -201,11 +201,11 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
     best = sorted(singles, key=lambda fit: fit.chi_square)
     if not best or find_left_share(nominal, best[0]) < ONE_IS_ENOUGH or probabilities(nominal, singles)[0] > EXPLAINED:
         return []
-    sociable = _take_sociable(best)
-    firsts = sociable[:FIRSTS]
+    joinable = _take_joinable(best)
+    firsts = joinable[:FIRSTS]
     if not firsts:
         return []
-    fitted = {fit.name: fit for fit in sociable}
+    fitted = {fit.name: fit for fit in joinable}
     found: list[EffectFit] = []
     while find_left_share(nominal, firsts[0]) > ONE_IS_ENOUGH and len(firsts[0].effects) < MOST_TOGETHER:
         seen, grown = {first.name for first in firsts}, _fit_with_partners(windows, nominal, firsts, effects, fit_all)
@@ -224,14 +224,14 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
     return sorted(_take_each_once(nominal, [*found, *rests_of_three]), key=lambda fit: -len(fit.effects))
 
 
-def _take_sociable(singles: list[EffectFit]) -> list[EffectFit]:
+def _take_joinable(singles: list[EffectFit]) -> list[EffectFit]:
     """Those that are sought beside others, too."""
     return [fit for fit in singles if not fit.effects[0].stands_alone]
 
 
 def _find_needed(nominal: EffectFit, singles: list[EffectFit], joined: list[EffectFit]) -> list[EffectFit]:
     """Of several effects at once, those sets whose further effects each explain most of what fewer leave."""
-    least = min((find_left_share(nominal, fit) for fit in _take_sociable(singles)), default=1.0)
+    least = min((find_left_share(nominal, fit) for fit in _take_joinable(singles)), default=1.0)
     few = (fit for fit in joined if EQUATIONS * fit.free < fit.rows)
     return [fit for fit in few if find_left_share(nominal, fit) < FURTHER_EXPLAINS**fit.further * least]
 
