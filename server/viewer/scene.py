@@ -20,6 +20,7 @@ from core.robot.model import RobotModel
 from server.runner.live_schemas import NearestPart
 from server.runner.plan_schemas import RunPlan, ThrowPart
 from server.viewer.first_look import FIELD_OF_VIEW_RAD, first_look, select_points
+from server.viewer.wakened import wake_pages
 
 Colour = tuple[int, int, int]
 
@@ -36,6 +37,7 @@ ARROW_S = 1.5
 
 def open_server() -> viser.ViserServer:
     """A viser server that nobody outside reaches, and that cannot be asked for a public tunnel."""
+    wake_pages()
     server = viser.ViserServer(host="127.0.0.1", port=0, label="Heft", verbose=False)
     for message in (messages.ShareUrlRequest, messages.ShareUrlDisconnect):
         server._websock_server.unregister_handler(message)
