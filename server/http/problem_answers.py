@@ -6,7 +6,7 @@ import logging
 from dataclasses import replace
 from http import HTTPStatus
 
-from fastapi import FastAPI, WebSocket
+from fastapi import FastAPI
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
 from sqlalchemy.exc import InterfaceError, OperationalError
@@ -23,6 +23,16 @@ from server.http.problems import HTTP_KINDS, MEDIA_TYPE, ProblemDetails, headers
 log = logging.getLogger("heft.problems")
 
 
+class ProblemAnswer(JSONResponse):
+    """A problem of RFC 9457, which answers a request or a handshake."""
+
+    media_type = MEDIA_TYPE
+
+    def __init__(self, found: ProblemDetails, headers: dict[str, str] | None = None) -> None:
+        self.found = found
+        super().__init__(found.model_dump(mode="json", exclude_none=True), found.status, headers_of(found) | (headers or {}))
+
+
 def answer_with_problems(app: FastAPI) -> None:
     """Registers what answers each kind of error."""
     app.add_exception_handler(HeftError, _answer_heft_error)
@@ -33,29 +43,29 @@ def answer_with_problems(app: FastAPI) -> None:
     app.add_exception_handler(Exception, _answer_unexpected_error)
 
 
-async def _answer_heft_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
+async def _answer_heft_error(_: HTTPConnection, error: Exception) -> ProblemAnswer:
     assert isinstance(error, HeftError)
-    return await _send(connection, problem_of(error))
+    return ProblemAnswer(problem_of(error))
 
 
-async def _answer_validation_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
+async def _answer_validation_error(_: HTTPConnection, error: Exception) -> ProblemAnswer:
     assert isinstance(error, RequestValidationError)
     kind, found = HTTP_KINDS["bad-request"], list_request_messages(error.errors())
     flaw, more, flaws = found[0], len(found) - 1, [flaw_of(each) for each in found]
     if any(each["type"] == "json_invalid" for each in error.errors()):
         kind = replace(kind, status=HTTPStatus.BAD_REQUEST)
-        return await _send(connection, problem(Message.of("request-no-json", flaw=flaw), "bad-request", kind, flaws=flaws))
-    return await _send(connection, problem(Message.of("request-unfit", flaw=flaw, more=more), "bad-request", kind, flaws=flaws))
+        return ProblemAnswer(problem(Message.of("request-no-json", flaw=flaw), "bad-request", kind, flaws=flaws))
+    return ProblemAnswer(problem(Message.of("request-unfit", flaw=flaw, more=more), "bad-request", kind, flaws=flaws))
 
 
-async def _answer_http_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
+async def _answer_http_error(connection: HTTPConnection, error: Exception) -> ProblemAnswer:
     assert isinstance(error, HTTPException)
     status = HTTPStatus(error.status_code)
     name, message = _explain_http_error(error, connection.scope.get("method", "websocket"), connection.scope["path"][:120])
     allow = (error.headers or {}).get("Allow")
     allowed = sorted(allow.split(", ")) if allow else None
     found = problem(message, name, replace(kinds_by_name()[name], status=status), allowed=allowed)
-    return await _send(connection, found, dict(error.headers or {}))
+    return ProblemAnswer(found, dict(error.headers or {}))
 
 
 def _explain_http_error(error: HTTPException, method: str, path: str) -> tuple[str, Message]:
@@ -69,19 +79,11 @@ def _explain_http_error(error: HTTPException, method: str, path: str) -> tuple[s
     return "http-error", Message.of("request-refused", method=method, path=path, reason=str(error.detail)[:200])
 
 
-async def _answer_store_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
+async def _answer_store_error(_: HTTPConnection, error: Exception) -> ProblemAnswer:
     log.error("store", exc_info=error)
-    return await _send(connection, problem_of(StoreUnavailable("store-unavailable")))
+    return ProblemAnswer(problem_of(StoreUnavailable("store-unavailable")))
 
 
-async def _answer_unexpected_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
+async def _answer_unexpected_error(_: HTTPConnection, error: Exception) -> ProblemAnswer:
     log.error("unexpected", exc_info=error)
-    return await _send(connection, problem(Message.of("request-unforeseen"), "internal-error", HTTP_KINDS["internal-error"]))
-
-
-async def _send(connection: HTTPConnection, found: ProblemDetails, headers: dict[str, str] | None = None) -> JSONResponse:
-    body = found.model_dump(mode="json", exclude_none=True)
-    answer = JSONResponse(body, found.status, headers_of(found) | (headers or {}), MEDIA_TYPE)
-    if isinstance(connection, WebSocket):
-        await connection.send_denial_response(answer)
-    return answer
+    return ProblemAnswer(problem(Message.of("request-unforeseen"), "internal-error", HTTP_KINDS["internal-error"]))

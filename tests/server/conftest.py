@@ -9,15 +9,14 @@ from pathlib import Path
 
 import pytest
 from fastapi import FastAPI
-from fastapi.responses import JSONResponse
 from fastapi.testclient import TestClient
 from starlette.requests import HTTPConnection
+from starlette.types import Receive, Scope, Send
 
 from server.app import create_app
 from server.cells.uploads import CellChecker
-from server.http import problem_answers
 from server.http.openapi import COOKIE, CSRF_HEADER
-from server.http.problems import ProblemDetails
+from server.http.problem_answers import ProblemAnswer
 from server.people import accounts
 from server.people.accounts import Account
 from server.people.roles import Role
@@ -91,13 +90,13 @@ def described_app(tmp_path_factory: pytest.TempPathFactory) -> FastAPI:
 @pytest.fixture(autouse=True)
 def declared_problems(described_app: FastAPI, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Whatever problem a service in this process answers with is one that its operation declares."""
-    answer, undeclared = problem_answers._send, list[str]()
+    send, undeclared = ProblemAnswer.__call__, list[str]()
 
-    async def check(connection: HTTPConnection, found: ProblemDetails, headers: dict[str, str] | None = None) -> JSONResponse:
-        undeclared.extend(find_undeclared(described_app, connection, found))
-        return await answer(connection, found, headers)
+    async def check(answer: ProblemAnswer, scope: Scope, receive: Receive, pass_on: Send) -> None:
+        undeclared.extend(find_undeclared(described_app, HTTPConnection(scope), answer.found))
+        await send(answer, scope, receive, pass_on)
 
-    monkeypatch.setattr(problem_answers, "_send", check)
+    monkeypatch.setattr(ProblemAnswer, "__call__", check)
     yield
     assert undeclared == []
 

@@ -31,6 +31,8 @@ VISER = "viser-v1.1.1"
 
 def test_the_viewer_comes_through_the_service_for_who_is_signed_in_and_nobody_else(real: RealService):
     service = real
+    log = service.data.parent / "service.log"
+    before = len(log.read_text())
     console = Console(service)
     page = console.http.get("/viewer/lwr4_bench/", timeout=60)
     assert page.status_code == 200
@@ -51,6 +53,7 @@ def test_the_viewer_comes_through_the_service_for_who_is_signed_in_and_nobody_el
         pass
     assert console.http.get("/viewer/no_such_cell/").status_code == 404
     console.leave()
+    assert "Exception in ASGI application" not in log.read_text()[before:], "who is refused has been answered once"
 
 
 def test_what_is_in_the_way_of_a_refused_run_gets_a_sign(real: RealService):
