@@ -134,7 +134,7 @@ class Verification:
 
     Args:
         phase: of the motion.
-        windows: averages of 25 ms and more that were compared.
+        windows: averages of 50 ms and more that were compared.
         rms: (6,), of measured minus predicted, N and N m.
         noise: (6,), what noise alone makes of it.
         expected: (6,), noise and the uncertainty of the prediction together.

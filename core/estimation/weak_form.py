@@ -3,7 +3,7 @@
 Multiply Eq. (1) by a window w and sum over time. The wrench and the raw second differences of the pose go through the *same* window,
 so that there is neither lag nor smoothing bias (not even at the corners of a trapezoid), and because the sum is linear the window
 damps the noise of the second differences as if its own second derivative had been applied to the pose (summation by parts; Shinbrot
-1957, modulating functions). The windows are cubic B-splines: the whole set projects both sides on splines of knot spacing `STEP_S`.
+1957, modulating functions). The windows are cubic B-splines: the whole set projects both sides on splines of knot spacing `SPACING_S`.
 
 With `A = R^T p''` and `B = R^T R''` (sensor axes) Eq. (1) reads `f = m (A - g) + B mc`, `tau = mc x (A - g) + I alpha + omega x I omega`
 where `alpha` is the axial vector of B and `omega omega^T - omega^2 1` its symmetric part.
@@ -29,10 +29,11 @@ from core.estimation.splines import cubic_pieces, cubic_slopes
 from core.payload.inertia import inertia_columns, symmetric
 from core.payload.rotations import cross, rotation_of, skew
 
-STEP_S = 0.025
-"""Knot spacing of the windows: features up to 20 Hz are kept."""
+SPACING_S = 0.05
+"""Between windows, at least: they show up to 8 Hz or so. What a payload asks for is slower; above it every arm swings on its gears in a way
+that no model of it predicts to the noise."""
 MOST_WINDOWS = 40_000
-"""A quarter of an hour with that spacing: longer recordings have wider windows, of an hour 0.09 s, up to 5.5 Hz."""
+"""Half an hour with that spacing: longer recordings have wider windows, of an hour 0.09 s, up to 4.5 Hz."""
 MARGIN_S = 0.06
 """Largest delay that the windows can be shifted by."""
 SAME_DELAY_S = 1e-7
@@ -165,7 +166,7 @@ class WeakForm:
             self._rows = np.flatnonzero(still_only)
             self.centres = t[self._rows]
         else:
-            self._step = max(STEP_S, 8.0 * poses.period, len(t) * poses.period / MOST_WINDOWS)
+            self._step = max(SPACING_S, 8.0 * poses.period, len(t) * poses.period / MOST_WINDOWS)
             self.centres = self._centres(t)
         self._samples = self._samples_of(poses)
         self._features: tuple[Features, Features] | None = None

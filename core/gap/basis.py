@@ -24,7 +24,7 @@ from core.recording.recording import Recording
 
 GRID_S, MOST_INSTANTS = 0.005, 40_000
 """Period of the scene that effects are applied to, up to so many of its instants (200 s): what lasts longer has a coarser one, and wider
-windows, as in identification; of ten minutes up to 6.7 Hz are seen instead of 20 Hz."""
+windows; of ten minutes up to 5 Hz are seen instead of 8 Hz."""
 SMOOTHING_S = 0.036
 """Of the motion that effects act on: short enough for the corners of a trapezoid, long enough for the encoders' noise."""
 SHORTEST_S, FEWEST_SAMPLES = 3.0, 200

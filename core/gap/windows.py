@@ -28,7 +28,7 @@ from core.estimation.noise import WrenchNoise
 from core.estimation.pose_gram import PoseGram
 from core.estimation.segments import Segment, stretches
 from core.estimation.splines import cardinal
-from core.estimation.weak_form import tilt_axes
+from core.estimation.weak_form import SPACING_S, tilt_axes
 from core.gap.kinematic_noise import KinematicNoise, draw_noise
 from core.gap.whitener import Whitener
 from core.payload.inertia import Motion, spatial_inertia
@@ -52,9 +52,6 @@ ZERO_STD_RAD = 3.5e-4
 ZERO_STEP_RAD = 1e-4
 TURNING_STD_M = 1.0
 """Of where a sensor whose position nobody knows turns about, each coordinate: an arm's length."""
-STEP_S = 0.05
-"""Between windows, at least: they show up to 8 Hz or so. Above it every arm swings on its gears in a way that no model of it predicts to
-the noise; what is left of that would be taken for what an effect leaves."""
 STEP_INSTANTS = 5.0
 """The least spacing of the windows, in periods of the scene."""
 FORGOTTEN_S = 0.5
@@ -293,7 +290,7 @@ def _find_turning_columns(scene: Scene, phi: Array, *, known: bool) -> Array:
     return np.stack([wrench(Motion(still, a, still, still), phi) for a in by_axis], axis=2)
 
 
-def window_rows(poses: Poses, t: Array, every: float = 1.0, least_s: float = STEP_S) -> Rows:
+def window_rows(poses: Poses, t: Array, every: float = 1.0, least_s: float = SPACING_S) -> Rows:
     """Windows over the grid t (N,) of a motion of which `every` so many samples one reading is fresh, `least_s` apart at least."""
     step = max(least_s, 8.0 * poses.period, 2.0 * every * poses.period, STEP_INSTANTS * float(np.median(np.diff(t))))
     centres = window_centres(t, step)
