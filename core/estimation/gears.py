@@ -50,7 +50,7 @@ class SoundGears(JointElasticity):
         bounded = (replace(each, upper=SOFTEST_RAD_PER_NM, scale=USUAL_RAD_PER_NM) for each in compliances)
         return (*bounded, replace(inertia, lower=0.5, upper=1.5, scale=0.1), damping)
 
-    def starts(self, scene: Scene, residual: Array) -> list[Array]:  # noqa: ARG002 - as every effect
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:  # noqa: ARG002 - every effect is given the residual
         """All joints alike, hardly damped."""
         n = joint_count(scene)
         return [np.array([*[compliance] * n, 1.0, 0.1]) for compliance in STARTS_RAD_PER_NM]

@@ -32,6 +32,8 @@ from core.payload.rotations import cross, rotation_of, skew
 SPACING_S = 0.05
 """Between windows, at least: they show up to 8 Hz or so. What a payload asks for is slower; above it every arm swings on its gears in a way
 that no model of it predicts to the noise."""
+LEAST_SPACING_PERIODS = 8.0
+"""The same in periods of the recording: slow ones have wider windows, of 100 Hz 80 ms."""
 MOST_WINDOWS = 40_000
 """Half an hour with that spacing: longer recordings have wider windows, of an hour 0.09 s, up to 4.5 Hz."""
 MARGIN_S = 0.06
@@ -166,7 +168,7 @@ class WeakForm:
             self._rows = np.flatnonzero(still_only)
             self.centres = t[self._rows]
         else:
-            self._step = max(SPACING_S, 8.0 * poses.period, len(t) * poses.period / MOST_WINDOWS)
+            self._step = max(SPACING_S, LEAST_SPACING_PERIODS * poses.period, len(t) * poses.period / MOST_WINDOWS)
             self.centres = self._centres(t)
         self._samples = self._samples_of(poses)
         self._features: tuple[Features, Features] | None = None

@@ -28,7 +28,7 @@ from core.estimation.noise import WrenchNoise
 from core.estimation.pose_gram import PoseGram
 from core.estimation.segments import Segment, stretches
 from core.estimation.splines import cardinal
-from core.estimation.weak_form import SPACING_S, tilt_axes
+from core.estimation.weak_form import LEAST_SPACING_PERIODS, SPACING_S, tilt_axes
 from core.gap.kinematic_noise import KinematicNoise, draw_noise
 from core.gap.whitener import Whitener
 from core.payload.inertia import Motion, spatial_inertia
@@ -292,7 +292,8 @@ def _find_turning_columns(scene: Scene, phi: Array, *, known: bool) -> Array:
 
 def window_rows(poses: Poses, t: Array, every: float = 1.0, least_s: float = SPACING_S) -> Rows:
     """Windows over the grid t (N,) of a motion of which `every` so many samples one reading is fresh, `least_s` apart at least."""
-    step = max(least_s, 8.0 * poses.period, 2.0 * every * poses.period, STEP_INSTANTS * float(np.median(np.diff(t))))
+    of_samples, of_instants = max(LEAST_SPACING_PERIODS, 2.0 * every) * poses.period, STEP_INSTANTS * float(np.median(np.diff(t)))
+    step = max(least_s, of_samples, of_instants)
     centres = window_centres(t, step)
     part = np.cumsum(np.diff(centres, prepend=centres[0]) > PAUSE_S, dtype=np.intp)
     return Rows(centres, step, window_matrix(centres, step, t), part, every)
