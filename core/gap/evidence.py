@@ -12,13 +12,14 @@ from core.effects.composition import Term
 from core.effects.effect import Effect
 from core.effects.library import wider_shapes
 from core.effects.scene import Scene
+from core.estimation.gears import SoundGears
 from core.gap.answer import Verdict
 from core.gap.attribution import Attribution, attribute, choose_variants, probabilities
 from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.fit_all import FitAll, Task, on_all_cores
 from core.gap.materiality import is_material
 from core.gap.most_rows import DRAWN, PARTS, fit_most
-from core.gap.partners import leave_out_each, partners, take_each_alone
+from core.gap.partners import leave_out_each, partners, take_fewer
 from core.gap.proposal import Proposal
 from core.gap.sound_gears import ONE_IS_ENOUGH, find_gears_among, find_sound_gears, hold_gears
 from core.gap.tie import Tie, distance_sigma
@@ -109,21 +110,22 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     in_twin = {term.effect.id for term in windows.held}  # in their plain shape
     wider = [effect for effect in wider_shapes() if effect.id in {each.id for each in shown} - in_twin]
     singles = _fit_singles(windows, nominal, shown, wider, fit_all)
-    gears = find_sound_gears(windows, nominal, singles, fit_all)
+    stated = SoundGears.id in in_twin
+    gears = None if stated else find_sound_gears(windows, nominal, singles, fit_all)
     if gears is not None:
         swinging, (windows, nominal, singles) = nominal, _hold(windows, gears, singles, fit_all)
         if find_left_share(swinging, nominal) < HID_MOST:
             singles = choose_variants(nominal, [*singles, *_fit_singles(windows, nominal, shown, wider, fit_all)])
     joinable = [effect for effect in (*shown, *wider) if not effect.stands_alone]
     grown = _join(windows, nominal, singles, joinable, fit_all)
-    needed = _find_needed(nominal, singles, grown)[:1]
+    needed = [] if stated else _find_needed(nominal, singles, grown)[:1]
     among = next((find_gears_among(windows, fit, fit_all) for fit in needed), None)
     if among is not None:
         windows, nominal, singles = _hold(windows, among, singles, fit_all)
         grown = _join(windows, nominal, singles, joinable, fit_all)
-    alone = [task for fit in grown[:1] for task in take_each_alone(windows, fit)]
-    singles = choose_variants(nominal, [*singles, *fit_all(windows, alone)]) if alone else singles
-    joined = _find_needed(nominal, singles, grown)
+    fewer = fit_all(windows, [task for fit in grown[:1] for task in take_fewer(windows, fit)])
+    singles = choose_variants(nominal, [*singles, *(fit for fit in fewer if not fit.further)])
+    joined = _find_needed(nominal, singles, _take_most_first(nominal, [*grown, *(fit for fit in fewer if fit.further)]))
     attribution = attribute(windows, nominal, [*singles, *joined])
     return Evidence(windows, nominal, tuple(singles), tuple(joined), attribution, describe_limits(absences))
 
@@ -221,7 +223,7 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
             break
         firsts, found = grown[:1], [*grown, *found]
     rests_of_three = [fit for fit in fitted.values() if len(fit.effects) > 1]
-    return sorted(_take_each_once(nominal, [*found, *rests_of_three]), key=lambda fit: -len(fit.effects))
+    return _take_most_first(nominal, [*found, *rests_of_three])
 
 
 def _take_joinable(singles: list[EffectFit]) -> list[EffectFit]:
@@ -242,6 +244,11 @@ def _fit_with_partners(
     """Each with one effect more, the best first."""
     tasks = [task for first in firsts for task in partners(windows, first, effects, FURTHER)]
     return _take_each_once(nominal, fit_all(windows, tasks))
+
+
+def _take_most_first(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:
+    """Each set of effects once, those of most effects first, and of as many the best."""
+    return sorted(_take_each_once(nominal, fits), key=lambda fit: -len(fit.effects))
 
 
 def _take_each_once(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:

@@ -69,9 +69,11 @@ def leave_out_each(windows: Windows, fit: EffectFit) -> list[Task]:
     return [_task_of(fit, [*terms[:k], *terms[k + 1 :]]) for k in range(len(terms))]
 
 
-def take_each_alone(windows: Windows, fit: EffectFit) -> list[Task]:
-    """Each effect of a fit by itself, from the values that it has among the others: where it began alone it may have ended elsewhere."""
-    return [_task_of(fit, [term]) for term in terms_of(windows, fit)]
+def take_fewer(windows: Windows, fit: EffectFit) -> list[Task]:
+    """Each effect of a fit by itself, and where it has more than two each set without one, from the values that they have among the others:
+    where they began without these they may have ended elsewhere."""
+    alone = [_task_of(fit, [term]) for term in terms_of(windows, fit)]
+    return [*alone, *leave_out_each(windows, fit)] if len(alone) > 2 else alone
 
 
 def _join(known: Problem, first: EffectFit, columns: Array, normal: Array, joining: Problem, theta: Array) -> Partner:

@@ -32,8 +32,7 @@ def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectF
     best = min(singles, key=lambda fit: fit.chi_square, default=nominal)
     left, soft = find_left_share(nominal, best), best.name == gears.id
     scene = windows.basis.scene.with_phi(nominal.phi)
-    known = gears.id in {term.effect.id for term in windows.held}
-    if known or gears.explain_absence(scene) is not None or scene.apart or (left < ONE_IS_ENOUGH and not soft):
+    if gears.explain_absence(scene) is not None or scene.apart or (left < ONE_IS_ENOUGH and not soft):
         return None
     others = [fit for fit in singles if fit.name != gears.id]
     bases = [nominal, *sorted(others, key=lambda fit: fit.chi_square)[:1]]
@@ -47,16 +46,17 @@ def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectF
 
 
 def find_gears_among(windows: Windows, together: EffectFit, fit_all: FitAll) -> Term | None:
-    """The gears in the place of the elastic joints among several effects at once; None where these are softer, or there are none."""
+    """The gears in the place of the elastic joints among several effects at once, or of those that are held already and were found beside
+    less; None where these are softer, or there are none."""
     gears = SoundGears()
-    known = {term.effect.id for term in windows.held}
     others = [task for task in leave_out_each(windows, together) if gears.id not in task.name.split("+")]
-    if len(others) != 1 or gears.id in known:
+    if len(others) != 1:
         return None
     (rest,) = fit_all(windows, others)
     starts = gears.starts(windows.basis.scene.with_phi(rest.phi), windows.on_grid(rest.residual))
     (fit,) = fit_all(windows, [add_effect(windows, rest, gears, starts)])
-    if rest.chi_square - fit.chi_square < AS_SOFTER * (rest.chi_square - together.chi_square):
+    gain = rest.chi_square - together.chi_square
+    if gain <= 0.0 or rest.chi_square - fit.chi_square < AS_SOFTER * gain:
         return None
     return _term_of(windows, fit)
 
@@ -66,9 +66,9 @@ def _term_of(windows: Windows, fit: EffectFit) -> Term:
 
 
 def hold_gears(windows: Windows, gears: Term) -> Windows:
-    """The same windows with gears that are always on."""
+    """The same windows with gears that are always on, in the place of any before."""
     held = copy(windows)
-    held.held = (*windows.held, gears)
+    held.held = (*(term for term in windows.held if term.effect.id != gears.effect.id), gears)
     return held
 
 

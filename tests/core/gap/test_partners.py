@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
 
 from bench.calibration.planting import plant_trial
@@ -10,10 +13,10 @@ from core.effects.library import library
 from core.effects.payload_mass_change import PayloadMassChange
 from core.effects.scene import Scene
 from core.gap.basis import basis_of
-from core.gap.effect_fit import fit_effects, fit_nominal
+from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.evidence import gather
-from core.gap.fit_all import one_by_one
-from core.gap.partners import take_each_alone
+from core.gap.fit_all import Task, one_by_one
+from core.gap.partners import take_fewer, terms_of
 from core.gap.weighing import find_left_share
 from core.gap.windows import Windows
 
@@ -29,6 +32,9 @@ TOGETHER = {
 """Seeds of trials with two causes, and effects among which they are sought."""
 RIVALS = {410: ["sensor_lowpass+sensor_drift"]}
 """What cannot be told from them: of 410, a filter follows the delay to less than three standard deviations."""
+
+ELSEWHERE = 0.02
+"""Share of the gap that a fit leaves more where it ends elsewhere."""
 
 
 class FromOneJump(PayloadMassChange):
@@ -60,9 +66,38 @@ def test_each_effect_of_a_fit_is_taken_with_its_own_values() -> None:
     scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
     first, second = (effect.starts(scene, residual)[0] for effect in both)
     fit = fit_effects(windows, both, nominal, [[*first, *second]])
-    tasks = take_each_alone(windows, fit)
+    tasks = take_fewer(windows, fit)
     assert [task.effects for task in tasks] == [(effect,) for effect in both]
     assert [value for task in tasks for value in task.thetas[0]] == fit.theta.tolist()
+
+
+def test_of_three_each_two_are_taken_besides() -> None:
+    windows = Windows(basis_of(plant_trial(LEAK).recording))
+    nominal = fit_nominal(windows)
+    three = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_rotation"))
+    scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
+    fit = fit_effects(windows, three, nominal, [np.concatenate([effect.starts(scene, residual)[0] for effect in three])])
+    values = {effect: theta.tolist() for effect, theta in terms_of(windows, fit)}
+    tasks = take_fewer(windows, fit)
+    assert sorted(len(task.effects) for task in tasks) == [1, 1, 1, 2, 2, 2]
+    for task in tasks:
+        assert [value for effect in task.effects for value in values[effect]] == task.thetas[0].tolist()
+
+
+def test_two_that_began_from_one_and_ended_elsewhere_are_fitted_again_from_what_they_are_among_three() -> None:
+    seed, names = TOGETHER["two of three"]
+    planted = plant_trial(seed)
+
+    def fit_all(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
+        fits, excess = one_by_one(windows, tasks), fit_nominal(windows).held_out - 1.0
+        return [
+            replace(fit, held_out=fit.held_out + ELSEWHERE * excess) if fit.further == 1 and task.start.further == 0 else fit
+            for task, fit in zip(tasks, fits, strict=True)
+        ]
+
+    evidence = gather(Windows(basis_of(planted.recording)), [effect for effect in library() if effect.id in names], fit_all)
+    assert max(len(fit.effects) for fit in evidence.joined) > 2
+    assert tuple(sorted(effect.id for effect in evidence.best.effects)) == planted.families
 
 
 @pytest.mark.parametrize(("seed", "names"), TOGETHER.values(), ids=TOGETHER)

@@ -8,15 +8,20 @@ from functools import cache
 import numpy as np
 import pytest
 
+from core.effects.composition import Term
+from core.effects.joint_elasticity import JointElasticity
 from core.effects.library import library
-from core.estimation.gears import SOFTEST_RAD_PER_NM
+from core.effects.payload_mass_change import PayloadMassChange
+from core.estimation.gears import SOFTEST_RAD_PER_NM, SoundGears
 from core.events import drive
 from core.gap.basis import basis_of
 from core.gap.closure import gap_of
 from core.gap.diagnosis import examine
-from core.gap.effect_fit import EffectFit, fit_nominal
+from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.evidence import Evidence, gather
 from core.gap.fit_all import Task, one_by_one
+from core.gap.partners import add_effect
+from core.gap.sound_gears import find_gears_among, hold_gears
 from core.gap.windows import Windows
 from core.plant.faults import Fault
 from core.plant.faults.joint_springs import ElasticJoints
@@ -120,6 +125,26 @@ def test_a_stiff_arm_has_none() -> None:
     verdict, evidence = examined(LOST)
     assert (verdict, evidence.best.name) == ("explained", "payload_mass_change")
     assert held(evidence) == []
+
+
+def test_gears_that_were_found_beside_less_give_way_to_those_that_show_beside_several() -> None:
+    poor = Term(JointElasticity(), np.array([SOFTEST_RAD_PER_NM, *[0.0] * 5, 1.0, 0.1]))
+    windows = hold_gears(Windows(basis_of(moved(SOUND, LOST))), poor)
+    nominal = fit_nominal(windows)
+    scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
+    lost = fit_effects(windows, (PayloadMassChange(),), nominal, PayloadMassChange().starts(scene, residual))
+    task = add_effect(windows, lost, JointElasticity(), SoundGears().starts(scene, residual))
+    found = find_gears_among(windows, fit_effects(windows, *task), one_by_one)
+    assert found is not None
+    assert np.median(found.theta[:6]) == pytest.approx(1.0 / 24e3, rel=0.3)
+    assert hold_gears(windows, found).held == (found,)
+
+
+@pytest.mark.thorough
+def test_gears_that_the_twin_states_stay_as_they_are() -> None:
+    stated = Term(JointElasticity(), np.array([*[2e-5] * 6, 1.0, 0.1]))
+    evidence = gather(Windows(basis_of(moved(SOUND, LOST)), (stated,)), FEW, one_by_one)
+    assert evidence.windows.held == (stated,)
 
 
 @pytest.mark.parametrize(
