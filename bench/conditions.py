@@ -27,10 +27,12 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from core.estimation.identification import identify_recording
 from core.payload.inertia import PHI_NAMES
 from tests.foreign_bound import least_std
-from tests.foreign_recordings import Condition, make
+from tests.foreign_recordings import Body, Condition, Noise, make
 
 INTERVAL = 1.96
 DEGREE = np.pi / 180.0
+NOISES: tuple[Noise, ...] = ("white", "white", "ar1", "pink")
+BODIES: tuple[Body, ...] = ("compact", "plate", "rod", "far")
 CONDITIONS = {
     "white, 1000 Hz": Condition(rate_hz=1000.0),
     "white, 500 Hz": Condition(),
@@ -57,6 +59,34 @@ CONDITIONS = {
     "payload 0.3 m away": Condition(body="far"),
 }
 
+AT_ONCE = "several at once"
+"""A condition drawn anew for each recording, of everything that the generator can do: what none of the others was made for."""
+
+
+def condition_of(name: str, seed: int) -> Condition:
+    """Of one recording."""
+    if name != AT_ONCE:
+        return CONDITIONS[name]
+    rng = np.random.default_rng([seed, 777])
+    rate_hz = float(rng.choice([10, 20, 30, 50, 62.5, 100, 125, 200, 250, 333, 500, 800, 1000, 2000]))
+    return Condition(
+        rate_hz=rate_hz,
+        noise=NOISES[int(rng.integers(len(NOISES)))],
+        walk_n=float(rng.choice([0.0, 0.0, 0.0, 0.04])),
+        jitter_s=float(rng.choice([0.0, 0.0, 2e-4, 1e-3])) if rate_hz < 400.0 else 0.0,
+        lost=float(rng.choice([0.0, 0.0, 0.05, 0.2])),
+        quantised=bool(rng.random() < 0.3),
+        zero_std_rad=float(rng.choice([0.0, 0.02, 0.05, 0.1])) * DEGREE,
+        gain_std=float(rng.choice([0.0, 0.0, 0.002, 0.01])),
+        mount_std_rad=float(rng.choice([0.0, 0.0, 0.2, 0.5])) * DEGREE,
+        tilt_rad=float(rng.choice([0.0, 0.0, 0.2, 0.5, 1.5])) * DEGREE,
+        delay_s=float(rng.choice([0.0, 0.0, 2e-3, 4e-3, 0.02, 0.08, 0.3])),
+        drift_n=float(rng.choice([0.0, 0.0, 0.3, 1.0])),
+        poses=bool(rng.random() < 0.15),
+        one_axis=bool(rng.random() < 0.1),
+        body=BODIES[int(rng.integers(len(BODIES)))],
+    )
+
 
 @dataclass(frozen=True)
 class Outcome:
@@ -76,13 +106,14 @@ class Outcome:
 def outcome_of(job: tuple[str, int]) -> Outcome:
     """Makes the recording of one condition and seed, and identifies it."""
     name, seed = job
-    made = make(CONDITIONS[name], seed)
+    condition = condition_of(name, seed)
+    made = make(condition, seed)
     found = identify_recording(made.recording)
     codes = tuple(warning.code for warning in found.warnings)
     if found.estimate is None:
         nothing = np.full(10, np.nan)
         return Outcome(nothing, nothing, nothing, nothing, codes)
-    estimate, least = found.estimate, least_std(CONDITIONS[name], made)
+    estimate, least = found.estimate, None if name == AT_ONCE else least_std(condition, made)
     least = np.full(10, np.nan) if least is None else least
     return Outcome(estimate.phi - made.phi, estimate.std, estimate.repeatability.std, least, codes)
 
@@ -147,7 +178,7 @@ def count(pool: ProcessPoolExecutor, name: str, kept: Kept, seeds: range) -> Non
 def _names(asked: str) -> Iterator[str]:
     """Conditions in the order in which they are asked for, parts of names that are separated by bars."""
     for part in asked.split("|"):
-        yield from (name for name in CONDITIONS if part in name)
+        yield from (name for name in (*CONDITIONS, AT_ONCE) if part in name)
 
 
 def main() -> None:

@@ -45,6 +45,8 @@ FIRST_FLICKER, LEAST_FLICKER = 0.03, 1e-3
 """Times the noise of a sample: standard deviation of each of the flicker's processes, likewise."""
 FIRST_TREND, LEAST_TREND = 0.01, 1e-3
 """Times the noise of a sample: standard deviation of the trend's first order, likewise."""
+SHORTEST_WAVE_AT_REST_S = 5.0
+"""Of a trend in rows at rest, which have no inertia that could be taken for it."""
 MOST_TREND = 10.0
 """Times `STEP_STD`, at most: 10 N, 0.5 N m."""
 
@@ -81,12 +83,10 @@ class Drift:
 
 
 def drift_in(form: WeakForm) -> Drift:
-    """The drift in the windows of a recording; where rows are poses of their own nobody knows what was between them, and there is none."""
-    trend = Trend(float(form.centres[0]), float(form.centres[-1]))
+    """The drift in the windows of a recording."""
     if form.static:
-        nothing = np.zeros((len(form.gram[0]), len(form)))
-        flicker = np.stack([nothing] * len(FLICKER_KNOTS))
-        return Drift(AnnihilatingFilter.identity(len(form)), flicker, nothing, nothing, trend, np.zeros((len(form), trend.orders)))
+        return _drift_of_rows(form.centres)
+    trend = Trend(float(form.centres[0]), float(form.centres[-1]))
     knots = np.rint((form.centres - form.centres[0]) / form.spacing)
     filtering = AnnihilatingFilter.of(knots, FLICKER_KNOTS)
     count, seen = BAND + filtering.reach, BAND + 2 * filtering.reach
@@ -98,6 +98,15 @@ def drift_in(form: WeakForm) -> Drift:
     part = np.searchsorted(starts, form.centres)
     jumps = _jumps_in(filtering, np.flatnonzero(np.diff(part, prepend=0)), count)
     return Drift(filtering, flicker, walk, jumps, trend, filtering.apply(trend.columns(form.centres)))
+
+
+def _drift_of_rows(t: Array) -> Drift:
+    """Of rows at rest, each a window by itself, at times t (K,): a walk and a trend; flicker is white from row to row, or walks."""
+    trend, filtering = Trend(float(t[0]), float(t[-1]), SHORTEST_WAVE_AT_REST_S), AnnihilatingFilter.of(t, ())
+    walk = filtering.covariance(-0.5 * _lags(t, 1 + 2 * filtering.reach), 1 + filtering.reach)
+    walk[:, 0] = 0.0
+    nothing = np.zeros_like(walk)
+    return Drift(filtering, np.stack([nothing] * len(FLICKER_KNOTS)), walk, nothing, trend, filtering.apply(trend.columns(t)))
 
 
 def _lags(knots: Array, count: int) -> Array:

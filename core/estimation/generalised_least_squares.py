@@ -210,7 +210,7 @@ class _Problem:
     def _improve_sizes(self, scale: Array) -> None:
         """One step towards the sizes of the parts of the noise that maximise the restricted likelihood, where the model holds."""
         parts = WindowCovariance(self.white, self.drift.shared[:, :0]), *self.drift.parts
-        for c, channel in enumerate(() if self.form.static else self.channels):
+        for c, channel in enumerate(self.channels):
             sought = self.search.sought(c)
             if scale[c] == 1.0 and len(sought):
                 self.search.improve(c, slope_of(self.search.sizes[c, sought], [parts[k] for k in sought], channel, self.solution.plain))

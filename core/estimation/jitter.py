@@ -22,7 +22,7 @@ def find_jittered(poses: Poses, difference: csr_array, filled: FilledRows | None
     apart = smooth_rotation(poses)
     position = np.zeros((len(apart), 3)) if poses.position is None else poses.position
     pose = np.concatenate((position, poses.rotation.reshape(-1, 9)), axis=1)
-    way = poses.jitter_s * local_derivative(pose, 1, poses.period, window_s=TWIST_S)
+    way = poses.jitter_s * local_derivative(pose, 1, poses.t, window_s=TWIST_S)
     if filled is not None:
         way, difference = way[filled.measured], csr_array(difference @ filled.fill)
     turned = [[csr_array(diags_array(apart[:, base, axis]) @ difference) for base in range(3)] for axis in range(3)]

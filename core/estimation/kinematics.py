@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.estimation.local_polynomial import derive_with_ends_held
-from core.estimation.lost_rows import FilledRows
+from core.estimation.lost_rows import FilledRows, fill_lost_rows
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
@@ -144,7 +144,7 @@ def find_jitter(t: Array, x: Array) -> tuple[float, Array]:
     white = _median_std(off)
     if len(off) < 2 * SPEEDS * FEWEST:
         return 0.0, white
-    velocity = local_derivative(x, 1, float(np.median(np.diff(t))), window_s=TWIST_S)[rows]
+    velocity = local_derivative(x, 1, t, window_s=TWIST_S)[rows]
     speed = np.linalg.norm(velocity, axis=1)
     moving = np.flatnonzero(speed > 0.1 * np.quantile(speed, 0.95))
     if len(moving) < SPEEDS * FEWEST:
@@ -199,8 +199,12 @@ def _joint_noise(robot: RobotModel, q: Array, std: Array) -> Array:
 def smooth_motion(poses: Poses, *, window_s: float) -> tuple[Motion, Array]:
     """Motion without lag, by centred local cubics over `window_s`, and the speed of the sensor origin (N,).
 
-    Angular velocity and acceleration are the skew parts of `R^T R'` and `R^T R''`.
+    Angular velocity and acceleration are the skew parts of `R^T R'` and `R^T R''`. Rows that a recorder lost are filled in for it.
     """
+    filled = fill_lost_rows(poses.t, window_s)
+    if filled is not None:
+        motion, speed = smooth_motion(poses.fill(filled), window_s=window_s)
+        return motion[filled.measured], speed[filled.measured]
     length = max(5, 2 * round(window_s / poses.period / 2) + 1)
     R, t = poses.rotation, poses.t
     if length > len(t) or len(t) < 5:
@@ -222,11 +226,16 @@ def smooth_rotation(poses: Poses) -> Array:
     Two noisy factors are noise that no window damps, and with a mean of its own where they share samples: one has to be smooth.
     """
     window_s = max(SMOOTH_S, 7.0 * poses.period)
-    return local_derivative(poses.rotation.reshape(-1, 9), 0, poses.period, window_s=window_s).reshape(-1, 3, 3)
+    return local_derivative(poses.rotation.reshape(-1, 9), 0, poses.t, window_s=window_s).reshape(-1, 3, 3)
 
 
-def local_derivative(x: Array, order: int, period: float, *, window_s: float) -> Array:
-    """Derivative of some order (0, 1, 2) of samples (N, n) without lag, by centred local cubics over `window_s`."""
+def local_derivative(x: Array, order: int, t: Array, *, window_s: float) -> Array:
+    """Derivative of some order (0, 1, 2) of samples (N, n) at times t (N,), s, without lag, by centred local cubics over `window_s`; rows
+    that a recorder lost off an even clock are filled in for it."""
+    filled = fill_lost_rows(t, window_s)
+    if filled is not None:
+        return local_derivative(filled.fill @ x, order, filled.t, window_s=window_s)[filled.measured]
+    period = float(np.median(np.diff(t))) if len(t) > 1 else window_s
     length = max(5, 2 * round(window_s / period / 2) + 1)
     return _derivative(x, length, order, period) if length <= len(x) else np.zeros_like(x) if order else x
 

@@ -50,12 +50,18 @@ def is_broken(t: Array) -> bool:
     return float(steps[long].sum()) > BROKEN * float(np.ptp(t))
 
 
-def fill_lost_rows(t: Array) -> FilledRows | None:
-    """Of a recording's times (N,), s; None where nothing was lost, or the clock is not even."""
+def fill_lost_rows(t: Array, longest_s: float = 0.0) -> FilledRows | None:
+    """Of a recording's times (N,), s; None where nothing was lost, or the clock is not even.
+
+    Args:
+        longest_s: step across which is filled in although it is longer than `LONGEST` periods, where no more is asked than that what is
+            smooth stays so.
+    """
     if len(t) < 4:
         return None
-    steps = np.diff(t) / np.median(np.diff(t))
-    near = steps < LONGEST
+    period = float(np.median(np.diff(t)))
+    steps = np.diff(t) / period
+    near = steps < max(LONGEST, longest_s / period)
     whole = np.where(near, np.maximum(np.rint(steps), 1.0), 1.0).astype(int)
     if not (whole > 1).any() or float((np.abs(steps - whole) > OFF)[near].mean()) > UNEVEN:
         return None

@@ -71,7 +71,6 @@ def link_dynamics(recording: Recording, robot: RobotModel, rows: NDArray[np.intp
     """Inertia (N, n, n) and torque (N, n) of the arm without payload in some rows; None where its masses are not known."""
     if recording.q is None or not has_masses(robot):
         return None, None
-    period = float(np.median(np.diff(recording.t)))
-    q, dq, ddq = (local_derivative(recording.q, order, period, window_s=SMOOTHING_S)[rows] for order in range(3))
+    q, dq, ddq = (local_derivative(recording.q, order, recording.t, window_s=SMOOTHING_S)[rows] for order in range(3))
     links = LinkDynamics(robot, recording.gravity)
     return links.inertia(q), links.torque(q, dq, ddq)

@@ -26,15 +26,18 @@ class Trend:
 
     Args:
         first, last: s.
+        shortest_wave_s: it may have; where nothing moves while it is seen, nothing else is as fast.
     """
 
     first: float
     last: float
+    shortest_wave_s: float = SHORTEST_WAVE_S
 
     @property
     def orders(self) -> int:
         """How many a recording of this length has."""
-        return min(ORDERS, int(2.0 * (self.last - self.first) / SHORTEST_WAVE_S))
+        lasts = self.last - self.first
+        return min(ORDERS, int(2.0 * lasts / self.shortest_wave_s)) if lasts > 0.0 else 0
 
     def columns(self, t: Array) -> Array:
         """(N, p), at times t (N,), s: the first order, of unit variance, goes from -1 to 1."""

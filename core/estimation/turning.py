@@ -102,7 +102,7 @@ def find_turning_place(recording: Recording) -> TurningPlace | None:
     seen = motion[rows]
     if len(seen) < FEWEST_ROWS:
         return None
-    measured = local_derivative(recording.wrench, 0, poses.period, window_s=WINDOW_S)[rows]
+    measured = local_derivative(recording.wrench, 0, poses.t, window_s=WINDOW_S)[rows]
     sigma = measured.std(axis=0) + 1e-9
     for _ in range(3):  # the scatter of each channel about the model, which is its weight
         found = least_squares(_residuals, np.zeros(3), args=(seen, measured, sigma), method="lm")

@@ -88,7 +88,7 @@ def cut_into_windows(recording: Recording, robot: RobotModel) -> TorqueWindows |
     if len(centres) < 2:
         return None
     regressor = TorqueRegressor(robot, recording.gravity)
-    dq, ddq = local_derivative(q, 1, period, window_s=SMOOTH_S), np.asarray(second_difference(t) @ q)
+    dq, ddq = local_derivative(q, 1, t, window_s=SMOOTH_S), np.asarray(second_difference(t) @ q)
     W = _weights(t, centres, knot_s)
     later = _weights(t, centres, knot_s, derivative=True)
     Y = np.zeros((len(centres), robot.n, 10 * robot.n + 10))

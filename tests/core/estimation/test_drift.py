@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from scipy.interpolate import BSpline
+from scipy.spatial.transform import Rotation
 
 from core.estimation.annihilating_filter import AnnihilatingFilter
 from core.estimation.drift import (
@@ -19,13 +22,16 @@ from core.estimation.drift import (
     variogram_of_walk,
 )
 from core.estimation.generalised_least_squares import fit
+from core.estimation.identification import identify_recording
 from core.estimation.kinematics import Poses
 from core.estimation.noise import WrenchNoise
 from core.estimation.trend import Trend
 from core.estimation.variance_search import Channel
 from core.estimation.weak_form import WeakForm
 from core.estimation.window_covariance import WindowCovariance
+from core.recording.recording import Recording
 from tests.core.estimation.test_generalised_least_squares import GRAVITY, STD, swinging, true_phi
+from tests.foreign_recordings import Condition, make
 
 K = 120
 NOISE = 0.5
@@ -83,10 +89,38 @@ def test_nothing_of_the_slow_covariances_lies_beyond_the_bands_and_in_a_pause_th
     assert not added.columns.any()
 
 
-def test_rows_that_are_poses_do_not_drift() -> None:
-    t = 0.002 * np.arange(400)
+def test_the_offset_of_rows_at_rest_walks_from_each_to_the_next_whenever_that_is() -> None:
+    t = np.cumsum(np.random.default_rng(0).uniform(0.002, 3.0, 60))
     drift = drift_in(WeakForm(resting(t).poses, still_only=np.ones(len(t), dtype=bool)))
-    assert not drift.walk.any() and not drift.flicker.any() and not drift.jumps.any() and not drift.shared.any()
+    D, since = drift.filter.apply(np.eye(len(t))), t - t[0]
+    np.testing.assert_allclose(dense(drift.walk), D @ np.minimum.outer(since, since) @ D.T, atol=1e-9)
+    assert drift.shared.shape == (len(t), 4)
+    assert not drift.flicker.any() and not drift.jumps.any()
+
+
+@pytest.mark.parametrize("drifting", [{"drift_n": 0.3}, {"drift_n": 1.0}, {"walk_n": 0.04}])
+@pytest.mark.parametrize("slow", [{"rate_hz": 20.0}, {"poses": True}, {"averaged": True}])
+def test_intervals_from_rows_at_rest_hold_though_the_offset_drifts(slow: dict[str, Any], drifting: dict[str, Any]) -> None:
+    off = []
+    for seed in range(4):
+        made = make(Condition(**slow, **drifting), seed)
+        estimate = identify_recording(made.recording).estimate
+        assert estimate is not None and estimate.determined[:4].all()
+        off.append((estimate.phi[:4] - made.phi[:4]) / estimate.std[:4])
+    assert np.sqrt(np.mean(np.square(off))) < 1.8
+    assert np.abs(off).max() < 4.5
+
+
+def test_a_slow_series_whose_sensor_turns_on_and_on_keeps_its_mass() -> None:
+    """Gravity in the sensor goes as slowly as a walk would, and the walk leaves it alone."""
+    rng, gravity, mass, place = np.random.default_rng(1), np.array([0.0, 0.0, -9.81]), 2.0, np.array([0.01, -0.02, 0.08])
+    for seconds in (1.0, 20.0):
+        turned = Rotation.from_euler("xy", np.column_stack((np.linspace(0.0, 2.6, 100), np.linspace(0.2, -0.9, 100)))).as_matrix()
+        force = -mass * gravity @ turned
+        wrench = np.column_stack((force, np.cross(place, force))) + rng.normal(size=(100, 6)) * ([0.06] * 3 + [0.003] * 3)
+        estimate = identify_recording(Recording(seconds * np.arange(100), gravity, wrench=wrench, orientation=turned)).estimate
+        assert estimate is not None
+        assert abs(estimate.phi[0] - mass) < 3.5 * estimate.repeatability.std[0] < 0.05 * mass
 
 
 def test_neighbouring_means_of_flicker_differ_as_simulated_ones_do() -> None:

@@ -9,6 +9,7 @@ import pytest
 from scipy.optimize import nnls
 
 from core.estimation.kinematics import find_jitter, find_level, poses_of, smooth_motion, white_noise_std
+from core.recording.recording import take_rows
 from tests.synthetic import payload, record, run_of
 
 
@@ -58,6 +59,20 @@ def test_smoothed_motion_has_no_lag() -> None:
         assert shifts[int(np.argmin(errors))] == 0
     assert np.sqrt(np.mean((motion.omega - run.omega) ** 2)) < 0.01
     assert speed[run.phase == "transfer"].max() > 0.1
+
+
+@pytest.mark.parametrize("lost", [0.05, 0.2])
+def test_rows_that_a_recorder_lost_make_no_smoothed_motion_rough(lost: float) -> None:
+    run = run_of("lwr4_bench", 0)
+    rng = np.random.default_rng(0)
+    recording = record(run, payload("cylinder"), rng)
+    kept = rng.random(len(run.t)) >= lost
+    poses, fewer = poses_of(recording), poses_of(take_rows(recording, kept))
+    assert poses is not None and fewer is not None
+    (whole, _), (found, _) = smooth_motion(poses, window_s=0.05), smooth_motion(fewer, window_s=0.05)
+    for all_rows, some in ((whole.alpha, found.alpha), (whole.a, found.a)):
+        rough = np.sqrt(np.mean((some - all_rows[kept]) ** 2))
+        assert rough < 0.05 * np.sqrt(np.mean(all_rows**2))
 
 
 def test_orientations_and_positions_serve_instead_of_joints() -> None:

@@ -29,6 +29,16 @@ def test_a_wrench_that_is_late_or_early_is_found_by_how_much_with_its_uncertaint
     assert f"{1000 * abs(late_s):.1f} ms {'late' if late_s > 0 else 'early'} (±0." in said
 
 
+@pytest.mark.parametrize("late_s", [0.06, 0.1])
+def test_rows_that_a_recorder_lost_hide_no_lateness(late_s: float) -> None:
+    """Between some tens of milliseconds, which least squares find, and what is plain however rough the motion looks."""
+    made = make(Condition(delay_s=late_s, lost=0.05), 1)
+    estimate = identify_recording(made.recording).estimate
+    assert estimate is not None and estimate.converged and estimate.delay_s is not None and estimate.delay_std is not None
+    assert estimate.delay_s == pytest.approx(late_s, abs=5.0 * estimate.delay_std)
+    assert np.abs((estimate.phi - made.phi) / estimate.std).max() < 4.0
+
+
 def seen_by(recording: Recording) -> Motion:
     poses = poses_of(recording)
     assert poses is not None
