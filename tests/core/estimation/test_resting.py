@@ -54,6 +54,18 @@ def test_of_a_motion_that_is_logged_slowly_the_rows_at_rest_tell_the_payload(rat
     assert answer.segments[-1].stop == len(made.recording)
 
 
+@pytest.mark.parametrize("late_s", [0.08, 0.3, -0.1])
+def test_where_the_wrench_is_late_or_early_only_rows_that_have_long_been_at_rest_are_used(late_s: float) -> None:
+    off = []
+    for seed in range(3):
+        made = make(Condition(rate_hz=20.0, delay_s=late_s), seed)
+        answer = identify_recording(made.recording)
+        assert answer.estimate is not None and [said.code for said in answer.warnings] == ["estimation-rows-at-rest"]
+        assert 20 < answer.warnings[0].parameters["used"] < 0.3 * len(made.recording)
+        off.append((answer.estimate.phi[:4] - made.phi[:4]) / answer.estimate.std[:4])
+    assert np.abs(off).max() < 3.5
+
+
 def test_rows_at_rest_are_those_whose_joints_stand_before_and_after() -> None:
     recording = make(Condition(rate_hz=20.0), 5).recording
     poses = poses_of(recording)
