@@ -15,7 +15,7 @@ from core.estimation.determination import find_determined, reasons
 from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
 from core.estimation.fit import DELAY, OFFSET, TILT
 from core.estimation.gears import describe_gears, find_gears
-from core.estimation.generalised_least_squares import PRIOR_STD
+from core.estimation.generalised_least_squares import LARGEST_DELAY_S, PRIOR_STD
 from core.estimation.kinematic_filter import ALPHA_VARIANCE, filter_motion, find_pose_noise, steady_std
 from core.estimation.kinematics import Poses, poses_of, smooth_motion
 from core.estimation.lateness import advance_wrench, find_lateness
@@ -47,6 +47,8 @@ SMOOTHING_S = 0.05
 FEWEST_ROWS = 6
 LONGEST_SWINGING_S = 200.0
 """Beyond it gears are not sought: what they do to every sample would not fit into the memory that an identification may take."""
+FARTHEST_S = 0.2
+"""Up to which a delay is sought on from its bound; what is later is plain beforehand."""
 KNOWN_SHARE = 0.5
 """A tilt or delay whose uncertainty is above this share of its prior is not reported."""
 
@@ -86,13 +88,28 @@ def _identify(recording: Recording, twin: Twin, without: Recording | None) -> Id
 
 
 def _identify_by_wrench(recording: Recording, wrench: Array, twin: Twin) -> Identification:
+    """A delay that ends at its bound is sought on from there: what jitters is too rough for the search beforehand."""
+    begun_s, answer = 0.0, _identify_late(recording, wrench, twin, 0.0)
+    while (estimate := answer.estimate) is not None and not estimate.converged and estimate.delay_s is not None:
+        if not abs(begun_s) + 0.5 * LARGEST_DELAY_S < abs(estimate.delay_s) < FARTHEST_S:
+            break
+        begun_s = estimate.delay_s
+        answer = _identify_late(recording, wrench, twin, begun_s)
+    return answer
+
+
+def _identify_late(recording: Recording, wrench: Array, twin: Twin, begun_s: float) -> Identification:
+    """
+    Args:
+        begun_s: by which the wrench is taken to be late to begin with; looked for where that is 0.
+    """
     poses = poses_of(recording)
     if poses is None:
         return _nothing((), Message.of("estimation-no-motion"))
     static = poses.apart
     motion, speed = _motion(poses, static)
     # a twin that states a delay means the wrench as it was recorded
-    late_s = 0.0 if static or "time_delay" in twin.ids else find_lateness(recording.t, motion, wrench)
+    late_s = 0.0 if static or "time_delay" in twin.ids else begun_s or find_lateness(recording.t, motion, wrench)
     if late_s:
         recording, late_s = advance_wrench(recording, late_s)
         poses = poses_of(recording)

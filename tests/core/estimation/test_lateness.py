@@ -39,6 +39,18 @@ def test_rows_that_a_recorder_lost_hide_no_lateness(late_s: float) -> None:
     assert np.abs((estimate.phi - made.phi) / estimate.std).max() < 4.0
 
 
+@pytest.mark.parametrize("late_s", [0.07, -0.08])
+def test_instants_that_jitter_hide_no_lateness(late_s: float) -> None:
+    """What is left of a rough motion is too much for the search beforehand; a delay that ends at its bound is sought on from there."""
+    made = make(Condition(delay_s=late_s, rate_hz=250.0, jitter_s=1e-3), 2)
+    assert made.recording.wrench is not None
+    assert find_lateness(made.recording.t, seen_by(made.recording), made.recording.wrench) == 0.0
+    estimate = identify_recording(made.recording).estimate
+    assert estimate is not None and estimate.converged and estimate.delay_s is not None and estimate.delay_std is not None
+    assert estimate.delay_s == pytest.approx(late_s, abs=5.0 * estimate.delay_std)
+    assert np.abs((estimate.phi - made.phi) / estimate.std).max() < 4.0
+
+
 def seen_by(recording: Recording) -> Motion:
     poses = poses_of(recording)
     assert poses is not None
