@@ -44,11 +44,6 @@ class AnnihilatingFilter:
             weights[1:, p:] = np.linalg.solve(rows[:, :, 1:], -rows[:, :, :1])[..., 0].T
         return cls(weights)
 
-    @classmethod
-    def identity(cls, count: int) -> AnnihilatingFilter:
-        """Lets everything pass."""
-        return cls(np.ones((1, count)))
-
     @property
     def reach(self) -> int:
         """How many windows before it a row sees."""

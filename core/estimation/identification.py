@@ -24,7 +24,7 @@ from core.estimation.noise import WrenchNoise, sensor_noise, unknown_noise
 from core.estimation.nuisances import nuisances_of
 from core.estimation.offset import offset_of_opposed_poses
 from core.estimation.regression import Thresholds, regression
-from core.estimation.resting import identify_at_rest
+from core.estimation.resting import FEWEST_ROWS, identify_at_rest
 from core.estimation.segments import Segment, cut_at_gaps, motionless, segments_of_motion, segments_of_phase
 from core.estimation.setup.check import check_setup
 from core.estimation.setup.refutation import refute
@@ -44,7 +44,6 @@ Bools = NDArray[np.bool_]
 
 SMOOTHING_S = 0.05
 """Window of the local cubics behind segments and charts."""
-FEWEST_ROWS = 6
 LONGEST_SWINGING_S = 200.0
 """Beyond it gears are not sought: what they do to every sample would not fit into the memory that an identification may take."""
 FARTHEST_S = 0.2

@@ -25,6 +25,8 @@ SAME_RAD, SAME_M = 1e-3, 1e-3
 """By which they may be turned and moved against it at most."""
 SETTLED_S = 0.35
 """About a row on both sides, where a neighbour does not do."""
+FEWEST_ROWS = 6
+"""That tell anything of a payload."""
 FEWEST_SHARE = 0.1
 """Of the rows, that are at rest where somebody held still on purpose."""
 
@@ -40,6 +42,8 @@ def identify_at_rest(recording: Recording, identify: Identify, answer: Identific
     if resting.all() or resting.mean() < FEWEST_SHARE:
         return answer
     for rows in (resting, find_resting(poses, SETTLED_S)):
+        if int(rows.sum()) < FEWEST_ROWS:
+            break
         found = identify(take_rows(recording, rows))
         if _fits(found):
             said = Message.of("estimation-rows-at-rest", used=int(rows.sum()), rows=len(rows), period_s=poses.period)

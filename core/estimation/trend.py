@@ -36,8 +36,7 @@ class Trend:
     @property
     def orders(self) -> int:
         """How many a recording of this length has."""
-        lasts = self.last - self.first
-        return min(ORDERS, int(2.0 * lasts / self.shortest_wave_s)) if lasts > 0.0 else 0
+        return min(ORDERS, int(2.0 * (self.last - self.first) / self.shortest_wave_s))
 
     def columns(self, t: Array) -> Array:
         """(N, p), at times t (N,), s: the first order, of unit variance, goes from -1 to 1."""

@@ -66,6 +66,24 @@ def test_where_the_wrench_is_late_or_early_only_rows_that_have_long_been_at_rest
     assert np.abs(off).max() < 3.5
 
 
+def test_a_slow_log_that_never_rests_for_long_and_does_not_fit_stays_what_it_is() -> None:
+    """Between rests of 0.3 s each it turns for as long, and its wrench comes 0.15 s late: of no row is known that it has settled."""
+    rng = np.random.default_rng(0)
+    stops = np.repeat(rng.normal(scale=0.8, size=(41, 3)), 6, axis=0)
+    ways = np.diff(stops[::6], axis=0)[:, None] * (np.arange(1, 7) / 6.0)[:, None]
+    turns = np.concatenate((stops[:-6].reshape(40, 6, 3), stops[:-6:6, None] + ways), axis=1).reshape(-1, 3)
+    R = Rotation.from_rotvec(turns).as_matrix()
+    weight = np.hstack((-MASS * (G @ R), -np.cross(MOMENT, G @ R)))
+    recording = Recording(
+        0.05 * np.arange(len(R)), G, wrench=np.roll(weight, 3, axis=0) + NOISE * rng.normal(size=(len(R), 6)), orientation=R
+    )
+    recording = replace(recording, sensor=SensorDescription(noise_std=NOISE))
+    poses = poses_of(recording)
+    assert poses is not None
+    assert find_resting(poses).mean() > 0.1 and not find_resting(poses, 0.35).any()
+    assert "estimation-rows-at-rest" not in {said.code for said in identify_recording(recording).warnings}
+
+
 def test_rows_at_rest_are_those_whose_joints_stand_before_and_after() -> None:
     recording = make(Condition(rate_hz=20.0), 5).recording
     poses = poses_of(recording)
