@@ -63,7 +63,7 @@ def stopped_in_its_first_hold(console: Console) -> str:
     run = console.queue(seed=11)
     console.wait(run, "Idle")
     assert console.release(run).status_code == 200
-    console.wait(run, "Execute")
+    console.wait_moving(run)
     assert console.http.post(f"/api/runs/{run}/commands", json={"command": "stop"}).status_code == 200
     console.wait(run, "Stopped")
     return run

@@ -212,9 +212,32 @@ class Console:
         until = time.monotonic() + seconds
         while True:
             now = self.wait(run, "Complete", "Aborted", "Stopped", "Held", seconds=until - time.monotonic())
-            if now["state"] != "Held" or not now["lateness"]:
+            if not is_late(now):
                 return now
             self.command(run, "resume")
+
+    def wait_moving(self, run: str) -> None:
+        """Until its robot moves, resumed where a machine with other work was late."""
+        while is_late(self.wait(run, "Execute", "Held")):
+            self.command(run, "resume")
+
+    @contextmanager
+    def keep_moving(self, run: str) -> Iterator[None]:
+        """Whenever a machine with other work is late while somebody looks, the run is resumed as a person would."""
+        done = threading.Event()
+
+        def resume() -> None:
+            while not done.wait(0.1):
+                if is_late(self.run(run)):
+                    self.command(run, "resume")
+
+        resuming = threading.Thread(target=resume)
+        resuming.start()
+        try:
+            yield
+        finally:
+            done.set()
+            resuming.join()
 
     def release(self, run: str, **changed: Any) -> httpx.Response:
         shown = self.http.get(f"/api/runs/{run}/plan").json()
@@ -230,6 +253,11 @@ class Console:
         self.http.close()
         if self.lease is not None:
             self.lease.close()
+
+
+def is_late(run: dict[str, Any]) -> bool:
+    """Whether a run is on hold because something was late, not because somebody asked for it."""
+    return run["state"] == "Held" and bool(run["lateness"])
 
 
 def wait_for(condition: Callable[[], object], what: str, now: Callable[[], object] = lambda: "", seconds: float = 60) -> None:

@@ -130,5 +130,5 @@ def moving(person: Console) -> str:
     run = person.queue(pace="real_time")
     person.wait(run, "Idle")
     assert person.release(run).status_code == 200
-    person.wait(run, "Execute")
+    person.wait_moving(run)
     return run

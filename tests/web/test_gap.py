@@ -406,7 +406,7 @@ def test_a_run_that_was_stopped_is_diagnosed_from_the_list(engineer: Tablet, per
     run = person.queue(pace="real_time")
     person.wait(run, "Idle")
     assert person.release(run).status_code == 200
-    person.wait(run, "Execute")
+    person.wait_moving(run)
     person.command(run, "stop")
     person.wait(run, "Stopped")
     page = show(engineer, "gap")

@@ -215,7 +215,7 @@ def test_a_stopped_run_is_continued_as_a_new_one(service: RealService, browser: 
     person.wait(run, "Idle")
     assert person.release(run).status_code == 200
     while person.run(run)["finished_steps"] == 0:
-        person.wait(run, "Execute")
+        person.wait_moving(run)
     person.command(run, "stop")
     ended = person.wait(run, "Stopped")
     with signed_in(service, browser) as at:

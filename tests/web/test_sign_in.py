@@ -20,7 +20,7 @@ def moving(person: Console) -> str:
     run = person.queue(pace="real_time", hold_s=20.0)
     person.wait(run, "Idle")
     assert person.release(run).status_code == 200
-    person.wait(run, "Execute")
+    person.wait_moving(run)
     return run
 
 
@@ -30,7 +30,8 @@ def test_a_robot_that_moves_is_shown_and_stopped_without_signing_in(
     with tablet(browser, service) as at:
         at.open()
         robot = at.page.locator(".active-robots [data-cell=lwr4_bench]")
-        expect(robot).to_contain_text("Running")
+        with person.keep_moving(moving):
+            expect(robot).to_contain_text("Running")
         expect(at.page.locator(".header")).to_contain_text("1 run is active")
         expect(at.page.locator(".header")).not_to_contain_text("Control")
         at.page.get_by_label("Name").fill("hans")

@@ -40,7 +40,7 @@ def test_a_run_that_was_held_for_a_silent_console_goes_on_after_one_tap_and_come
     run = far.queue()
     far.wait(run, "Idle")
     assert far.release(run).status_code == 200
-    far.wait(run, "Execute")
+    far.wait_moving(run)
     far.answering.clear()
     held = far.wait(run, "Held")
     assert held["lateness"]["cause"] == "network"

@@ -63,7 +63,7 @@ def test_a_run_is_queued_shown_released_held_resumed_and_tells_what_the_robot_ca
     watching = threading.Thread(target=watch, args=(console, run, messages))
     watching.start()
     assert console.release(run).status_code == 200
-    console.wait(run, "Execute")
+    console.wait_moving(run)
     held = console.command(run, "hold")
     assert held.status_code == 200, held.text
     assert console.wait(run, "Held")["job_state"] == "Interrupted"
@@ -197,7 +197,7 @@ def test_a_release_is_void_when_it_is_not_for_the_plan_that_waits_and_a_stop_end
 def check_a_stop_ends_the_motion(console: Console, run: str) -> None:
     """Once it is released; its samples are kept."""
     assert console.release(run).status_code == 200
-    console.wait(run, "Execute")
+    console.wait_moving(run)
     assert console.http.post(f"/api/runs/{run}/commands", json={"command": "stop"}).status_code == 200
     stopped = console.wait(run, "Stopped")
     assert (stopped["job_state"], stopped["outcome"]) == ("Aborted", "stopped")
@@ -210,7 +210,7 @@ def test_a_robot_whose_console_falls_silent_keeps_its_place_and_goes_on_along_th
     run = console.queue(seed=2)
     console.wait(run, "Idle")
     assert console.release(run).status_code == 200
-    console.wait(run, "Execute")
+    console.wait_moving(run)
     console.answering.clear()
     held = console.wait(run, "Held")
     assert held["reason_kind"] == "network-late", held
@@ -265,7 +265,7 @@ def test_an_aborted_run_keeps_its_cell_until_it_is_cleared(service, console):
     run = console.queue(seed=2)
     console.wait(run, "Idle")
     assert console.release(run).status_code == 200
-    console.wait(run, "Execute")
+    console.wait_moving(run)
     assert console.command(run, "abort").status_code == 200
     lost = console.wait(run, "Aborted")
     assert lost["job_state"] == "Aborted"
@@ -293,7 +293,7 @@ def check_the_public_stop(nobody: httpx.Client, console: Console) -> None:
     run = console.queue(seed=3, pace="real_time")
     console.wait(run, "Idle")
     assert console.release(run).status_code == 200
-    console.wait(run, "Execute")
+    console.wait_moving(run)
     [now] = nobody.get("/api/now").json()
     assert (now["cell"], now["run"], now["state"], now["moving"], now["safety_rated"]) == ("lwr4_bench", run, "Execute", True, False)
     assert nobody.post("/api/now/lwr4_bench/stop").status_code == 200
@@ -312,7 +312,7 @@ def test_a_zone_that_comes_into_the_way_stops_the_robot_and_the_rest_is_planned_
     sensor = RobotModel.of_cell(cell).sensor_pose(np.array(ahead)).position
     name = cell.zones[0].name if how == "moved" else "trolley"
     assert console.release(run).status_code == 200
-    console.wait(run, "Execute")
+    console.wait_moving(run)
     bring = move_zones if how == "moved" else draw_and_delete
     for answer in bring(console, cell.zones[0], sensor.tolist()):
         assert answer.is_success, answer.text
@@ -374,7 +374,7 @@ def test_a_server_that_freezes_finds_a_robot_that_stands_when_it_goes_on(service
     run = console.queue(seed=4)
     console.wait(run, "Idle")
     assert console.release(run).status_code == 200
-    console.wait(run, "Execute")
+    console.wait_moving(run)
     service.send(signal.SIGSTOP)
     time.sleep(1.5)
     service.send(signal.SIGCONT)
@@ -391,7 +391,7 @@ def test_a_server_that_dies_leaves_a_robot_that_stands_and_a_run_that_is_aborted
     run = console.queue(seed=4)
     console.wait(run, "Idle")
     assert console.release(run).status_code == 200
-    console.wait(run, "Execute")
+    console.wait_moving(run)
     service.kill()
     wait_for((service.data / "recordings" / run / "recording").is_dir, "the recording of the stopped run")
     service.start()
