@@ -65,6 +65,9 @@ class DiagnosisPublic(JobPublic):
     name: str | None = Field(
         description="Name that an uploaded recording was given; null for one of a run.", examples=["Friday, new cable"]
     )
+    where: Message | None = Field(
+        description="Where the gap is largest: known long before its cause; null before that, and where there is too little to compare."
+    )
     verdict: Verdict | None = Field(description="The answer in one word; null until it is done.")
     named: str | None = Field(
         description="The effect that is most probable, or two or three joined by plus signs; null where it names none.",
@@ -221,6 +224,7 @@ def _answer(diagnoses: Worker, row: JobRow, *, whole: bool = True) -> DiagnosisP
         cell=order.cell,
         tool=order.tool,
         name=order.name,
+        where=None if row.told is None else Message.model_validate_json(row.told),
         verdict=None if result is None else result.verdict,
         named=None if result is None else _find_most_probable(result),
         also=[] if result is None else [each.id for each in result.also if each.material],

@@ -8,8 +8,6 @@ import sys
 from multiprocessing.connection import Connection
 from pathlib import Path
 
-import numpy as np
-
 from core.cell.cell import Cell
 from core.cell.folder import load_cell
 from core.cell.urdf import check_urdf
@@ -19,8 +17,7 @@ from core.new_cell.findings import CellFinding, findings_of
 from core.new_cell.home import SAMPLES, Home
 from core.new_cell.making import URDF, Made, make_cell
 from core.new_cell.order import CellOrder
-from core.recording.recording import RobotDescription
-from core.robot.model import RobotModel
+from core.robot.compiled import load_kinematics
 from core.words.catalogue import Language
 from core.words.message import Message
 from server.http.flaws import dump_refusal
@@ -31,12 +28,6 @@ from server.runner.work import give_way
 
 SECONDS, MEMORY = 90.0, 1_500_000_000
 PICTURE = "home.png"
-TURNS = '<axis xyz="0 0 1"/><limit lower="-1" upper="1" velocity="1" effort="1"/></joint>'
-TWO_HINGES = (
-    '<robot name="two"><link name="base"/><link name="middle"/><link name="tip"/>'
-    f'<joint name="first" type="revolute"><parent link="base"/><child link="middle"/>{TURNS}'
-    f'<joint name="second" type="revolute"><parent link="middle"/><child link="tip"/>{TURNS}</robot>'
-)
 
 
 def main(folder: Path, order: CellOrder, language: Language, connection: Connection) -> None:
@@ -50,7 +41,7 @@ def main(folder: Path, order: CellOrder, language: Language, connection: Connect
     os.chdir(folder)  # errors name files as the upload does
     os.environ["HEFT_LANGUAGE"] = language
     sys.dont_write_bytecode = True
-    compile_kinematics()
+    load_kinematics()  # before this process may no longer: numba needs more than a file that is read
     confine(folder, SECONDS, MEMORY)
     shutil.rmtree(order.folder, ignore_errors=True)
     Path(PICTURE).unlink(missing_ok=True)
@@ -59,15 +50,6 @@ def main(folder: Path, order: CellOrder, language: Language, connection: Connect
         connection.send(Answered(_describe(made).model_dump_json()))
     except BadInput as error:
         connection.send(Answered(dump_refusal(error)))
-
-
-def compile_kinematics() -> None:
-    """What is compiled when it is first called, before this process may no longer: numba needs more than a file that is read."""
-    robot = RobotModel(RobotDescription(TWO_HINGES, ("first", "second"), "base", "tip"))
-    robot.sensor_jacobian(np.zeros(2))
-    robot.sensor_pose(np.zeros(2))
-    robot.sensor_poses(np.zeros((1, 2)))
-    robot.sensor_jacobians(np.zeros((1, 2)))
 
 
 def _describe(made: Made) -> DraftCellPublic:

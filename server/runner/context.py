@@ -11,7 +11,7 @@ from multiprocessing import forkserver, get_context
 from multiprocessing.context import ForkServerProcess
 
 CONTEXT = get_context("forkserver")
-CONTEXT.set_forkserver_preload(["server.runner.control"])
+CONTEXT.set_forkserver_preload(["server.runner.preloaded"])
 
 
 def warm_up() -> None:

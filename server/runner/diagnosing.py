@@ -16,6 +16,7 @@ from core.files.whole_file import write_whole
 from core.gap.diagnosis import examine
 from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import FitAll, Task, one_by_one
+from core.gap.residual import Residual
 from core.gap.twin_addition import addable_to
 from core.gap.windows import Windows
 from core.recording.folder import read_recording
@@ -57,11 +58,13 @@ def main(folder: Path, cell: Cell | None, reports: Mapping[Language, Path], over
 
 
 def fit_with_progress(connection: Connection) -> FitAll:
-    """Fits one effect after the other and says how far it is; more to fit may turn up on the way."""
+    """Says where the gap is largest, then fits one effect after the other and says how far it is; more to fit may turn up on the way."""
     done = of = 0
 
     def fit_all(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
         nonlocal done, of
+        if tasks and of == 0:
+            connection.send(Advanced(0.0, Residual(windows, tasks[0].start).describe().model_dump_json()))
         of += len(tasks)
         fits = []
         for task in tasks:

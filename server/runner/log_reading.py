@@ -22,9 +22,9 @@ from core.recording.logs.mapping import write_mapping
 from core.recording.logs.question import OpenQuestion
 from core.recording.logs.tables import Log, open_log
 from core.recording.recording import Recording
+from core.robot.compiled import load_kinematics
 from core.version import release_version
 from server.http.flaws import dump_refusal
-from server.runner.cell_making import compile_kinematics
 from server.runner.confinement import confine
 from server.runner.log_answer import LogThinner, describe_log, list_changes
 from server.runner.log_folder import LOGS, MAPPING, MEMORY, MOST_FILE_BYTES, MOST_OPEN_FILES, RECORDING, SECONDS, WORK, LogOrder
@@ -44,7 +44,7 @@ def main(folder: Path, order: LogOrder, connection: Connection) -> None:
         folder: of the import.
     """
     give_way()
-    compile_kinematics()
+    load_kinematics()
     compile_kernels()
     release_version()  # which the recording bears; read from where this program is installed
     os.chdir(folder / LOGS)  # errors name files as they were sent

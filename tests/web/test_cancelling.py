@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -33,6 +34,9 @@ def test_a_diagnosis_is_cancelled_and_another_one_can_be_begun(engineer: Tablet,
     page.get_by_label("Recording (zip)").set_input_files(recording)
     engineer.tap(page.locator(".recording-upload button"))
     expect(page.get_by_role("progressbar")).to_be_visible()
+    expect(page.locator(".where-so-far")).to_contain_text(
+        re.compile(r"The gap is largest in .+ of the whole gap\. The cause is being sought\.")
+    )
     engineer.press("Cancel")
     expect(page.locator(".job-progress")).to_contain_text("cancelled by operator")
     expect(page.get_by_role("button", name="Cancel")).to_have_count(0)

@@ -4072,6 +4072,8 @@ export interface components {
              * @example Friday, new cable
              */
             name: string | null;
+            /** @description Where the gap is largest: known long before its cause; null before that, and where there is too little to compare. */
+            where: components["schemas"]["Message"] | null;
             /**
              * Verdict
              * @description The answer in one word; null until it is done.

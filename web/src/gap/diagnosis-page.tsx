@@ -4,6 +4,7 @@ import { language } from '../session/settings';
 import { addressOf } from '../ui/client';
 import { JobProgress } from '../ui/job-progress';
 import { isUnderWay } from '../ui/jobs';
+import { MessageText } from '../ui/message-text';
 import { Press } from '../ui/press';
 import { Reading } from '../ui/reading';
 import { Reserved } from '../ui/reserved';
@@ -65,6 +66,11 @@ function Waiting({ shown }: { shown: DiagnosisPublic }) {
           title={shown.run === null ? (shown.name ?? said.upload) : said.run(shown.run)}
           job={shown}
         />
+        {shown.where && (
+          <p class="where-so-far">
+            <MessageText message={shown.where} /> {isUnderWay(shown) && said.causeSought}
+          </p>
+        )}
       </section>
     </div>
   );

@@ -42,6 +42,7 @@ export const deGap: GapWords = {
     failed: 'Fehlgeschlagen',
     cancelled: 'Abgebrochen',
   },
+  causeSought: 'Die Ursache wird gesucht.',
   jobNext: 'Das Ergebnis erscheint hier, sobald es fertig ist. Sie können die Seite verlassen.',
   failedNext: 'Lesen Sie den Grund; beginnen Sie dann eine andere Diagnose.',
   report: 'Bericht',

@@ -41,6 +41,7 @@ export const enGap = {
     failed: 'Failed',
     cancelled: 'Cancelled',
   },
+  causeSought: 'The cause is being sought.',
   jobNext: 'The result appears here when it is ready. You may leave this page.',
   failedNext: 'Read why, then start another diagnosis.',
   report: 'Report',
