@@ -7,7 +7,8 @@ from datetime import UTC, datetime
 import numpy as np
 
 from core.cell.cell import Cell
-from core.twin.model import find_effect, make_home_scene
+from core.effects.library import find_effect
+from core.twin.model import make_home_scene
 from core.twin.twin import Entry, Fitted
 
 

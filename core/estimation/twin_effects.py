@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from core.array import Array
+from core.effects.library import find_effect
 from core.effects.scene import Scene
 from core.estimation.budget import Budget, Source
 from core.estimation.estimate import TwinShare
@@ -24,7 +25,7 @@ from core.estimation.segments import Segment, stretches
 from core.estimation.weak_form import WeakForm
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
-from core.twin.model import compose_effects, explain_lacks, find_effect
+from core.twin.model import compose_effects, explain_lacks
 from core.twin.twin import Twin
 from core.words.message import Message
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from core.cell.kinematics import joint_axes
 from core.effects.effect import Effect
-from core.effects.library import library
+from core.effects.library import find_effect, library
 from core.estimation.setup.check import check_setup
 from core.gap.answer import Diagnosis, Origin
 from core.gap.answering import answer, not_enough
@@ -24,7 +24,7 @@ from core.gap.windows import Windows
 from core.recording.folder import recording_sha256
 from core.recording.held_readings import drop_repeated_rows
 from core.recording.recording import Recording
-from core.twin.model import explain_lacks, find_effect, find_terms
+from core.twin.model import explain_lacks, find_terms
 from core.twin.twin import NOMINAL, Twin
 from core.words.message import Message
 

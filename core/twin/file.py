@@ -97,19 +97,21 @@ def check_twin(twin: Twin, cell: Cell) -> None:
     Raises:
         BadTwin: not so.
     """
-    from core.effects.library import library  # noqa: PLC0415  seconds of compilers and numerics, see above
+    from core.effects.library import find_effect, library  # noqa: PLC0415  seconds of compilers and numerics, see above
     from core.twin.model import make_home_scene  # noqa: PLC0415  as above
 
     where = str(cell.folder / TWIN_FILE)
-    known = {effect.id: effect for effect in library()}
     scene = make_home_scene(cell)
     for k, entry in enumerate(twin.effects):
         here = f"{where}: effects.{k}"
-        if entry.effect not in known:
-            raise BadTwin(f"{here}.effect", "twin-unknown-effect", effect=entry.effect, meant=close_name(entry.effect, sorted(known)))
+        try:
+            effect = find_effect(entry.effect)
+        except KeyError:
+            meant = close_name(entry.effect, [each.id for each in library()])
+            raise BadTwin(f"{here}.effect", "twin-unknown-effect", effect=entry.effect, meant=meant) from None
         if twin.ids.count(entry.effect) > 1:
             raise BadTwin(f"{here}.effect", "twin-effect-twice", effect=entry.effect, count=twin.ids.count(entry.effect))
-        _check_parameters(entry, known[entry.effect].parameters(scene), f"{here}.parameters")
+        _check_parameters(entry, effect.parameters(scene), f"{here}.parameters")
         _check_covariance(entry, f"{here}.covariance")
 
 

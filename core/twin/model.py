@@ -7,8 +7,7 @@ import numpy as np
 from core.array import Array
 from core.cell.cell import Cell
 from core.effects.composition import Composition, Term
-from core.effects.effect import Effect
-from core.effects.library import library
+from core.effects.library import find_effect
 from core.effects.scene import Scene
 from core.payload.inertia import Motion
 from core.twin.twin import Entry, Twin
@@ -16,11 +15,6 @@ from core.words.message import Message
 
 LONGEST_RUN_S = 86_400.0
 """What happens once happens within a day."""
-
-
-def find_effect(identifier: str) -> Effect:
-    """The library's effect of this identifier; KeyError where there is none, which a twin that was read from its file does not have."""
-    return {effect.id: effect for effect in library()}[identifier]
 
 
 def find_theta(entry: Entry, scene: Scene) -> Array:

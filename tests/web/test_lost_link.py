@@ -152,7 +152,7 @@ def test_signing_out_gives_control_back(moving: Tablet, person: Console) -> None
 def test_a_screen_that_only_looks_on_does_not_say_what_the_robot_does(service: RealService, browser: Browser, moving: Tablet) -> None:
     with signed_in(service, browser) as watching:
         show(watching, "runs", run_of(moving))
-        watching.wait("[data-state=Execute]")
+        watching.wait("[data-state=Execute], [data-state=Held]")  # a busy computer puts it on hold
         expect(watching.page.locator(".header .who")).to_contain_text("other device")
         watching.page.context.set_offline(True)
         layer = watching.page.get_by_role("alertdialog")

@@ -6,13 +6,15 @@ import importlib
 import inspect
 import pkgutil
 import re
+import subprocess
+import sys
 
 import numpy as np
 import pytest
 
 import core.effects
 from core.effects.effect import Effect, Parameter, Symptom
-from core.effects.library import library, wider_shapes
+from core.effects.library import find_effect, library, wider_shapes
 from core.effects.scene import Scene
 from tests.core.effects.synthetic_scene import first_rows, poses_only, scene
 
@@ -202,3 +204,22 @@ def test_advice_is_one_sentence_for_a_person(effect: Effect, run: Scene) -> None
         assert advice.endswith(".")
         assert "\n" not in advice
         assert "nan" not in advice
+
+
+ONE_ALONE = """
+import sys
+from core.effects.library import find_effect
+print(find_effect("joint_elasticity").id, "core.effects.hanging" in sys.modules)
+"""
+
+
+def test_an_effect_is_found_by_its_name_without_loading_the_others() -> None:
+    said = subprocess.run([sys.executable, "-c", ONE_ALONE], capture_output=True, text=True, check=True).stdout
+    assert said.split() == ["joint_elasticity", "False"]
+    assert [type(find_effect(effect.id)) for effect in library()] == [type(effect) for effect in library()]
+
+
+@pytest.mark.parametrize("name", ["sensor_noise", "library", "splines", "no_such_effect", "sensor_gain.py", ""])
+def test_what_is_no_effect_on_the_wrench_is_not_found(name: str) -> None:
+    with pytest.raises(KeyError):
+        find_effect(name)

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from core.cell.folder import load_cell
-from core.effects.library import library
-from core.twin.model import compose_effects, explain_lacks, find_effect, find_terms, find_theta, make_home_scene
+from core.effects.library import find_effect, library
+from core.twin.model import compose_effects, explain_lacks, find_terms, find_theta, make_home_scene
 from core.twin.twin import Twin
 from tests.twin_entries import entry
 
