@@ -34,6 +34,7 @@ def test_a_diagnosis_is_cancelled_and_another_one_can_be_begun(engineer: Tablet,
     page.get_by_label("Recording (zip)").set_input_files(recording)
     engineer.tap(page.locator(".recording-upload button"))
     expect(page.get_by_role("progressbar")).to_be_visible()
+    engineer.wait(".where-so-far")  # a busy computer takes its time
     expect(page.locator(".where-so-far")).to_contain_text(
         re.compile(r"The gap is largest in .+ of the whole gap\. The cause is being sought\.")
     )
