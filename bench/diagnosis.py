@@ -1,4 +1,5 @@
-"""How long a diagnosis takes: the first screen, the full answer, and how both grow with the recording and the number of effects.
+"""How long a diagnosis takes: where the gap lies, the full answer, and how both grow with the recording and the number of effects; of a
+stiff arm, and of one whose joints swing on their springs.
 
 python -m bench.diagnosis [--long SECONDS]
 
@@ -12,7 +13,7 @@ import resource
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -22,6 +23,7 @@ import psutil
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
+from core.effects.effect import Effect
 from core.effects.library import library
 from core.events import drive
 from core.gap.basis import basis_of
@@ -30,6 +32,8 @@ from core.gap.effect_fit import fit_nominal
 from core.gap.evidence import gather
 from core.gap.residual import Residual
 from core.gap.windows import Windows
+from core.plant.faults import Setting
+from core.plant.faults.arm_imperfections import draw_arm_imperfections
 from core.plant.imperfections import Imperfections
 from core.procedure.identify import carry_out
 from core.recording.recording import Recording
@@ -38,11 +42,13 @@ from core.trial import plan_each_payload
 from tests.foreign_recordings import make_long
 
 
-def recorded() -> Recording:
+def record_late(*, swinging: bool) -> Recording:
     """A run with 10 ms of delay, every second sample: 500 Hz."""
     cell, plans = plan_each_payload("lwr4_bench")
     carried = cell.payloads["cylinder"]
-    session = SimulatedSession(cell, carried.parameters, seed=1, imperfections=Imperfections(wrench_delay_s=0.01))
+    late = Imperfections(wrench_delay_s=0.01)
+    faults = draw_arm_imperfections(Setting(cell, carried.parameters, plans["cylinder"].robot_s)) if swinging else ()
+    session = SimulatedSession(cell, carried.parameters, seed=1, imperfections=late, faults=faults)
     return thinned(drive(carry_out(cell, session, carried.box, plans["cylinder"])).recording, slice(None, None, 2))
 
 
@@ -104,17 +110,22 @@ def main() -> None:
     if seconds is not None:
         diagnose_long(seconds)
         return
-    whole = recorded()
-    print(f"{'recording, s':>14}{'effects':>9}{'where, s':>10}{'full answer, s':>16}")
+    print(f"{'arm':>10}{'recording, s':>14}{'effects':>9}{'where, s':>10}{'full answer, s':>16}")
+    stiff, swinging = (record_late(swinging=each) for each in (False, True))
     for share in (0.5, 1.0):
-        recording = thinned(whole, slice(0, round(share * len(whole))))
         for effects in (library()[::3], library()):
-            began = time.perf_counter()
-            windows = Windows(basis_of(recording))
-            Residual(windows, fit_nominal(windows)).describe()
-            where = time.perf_counter() - began
-            gather(windows, effects)
-            print(f"{np.ptp(recording.t):14.1f}{len(effects):9d}{where:10.2f}{time.perf_counter() - began:16.1f}", flush=True)
+            print_times("stiff", thinned(stiff, slice(0, round(share * len(stiff)))), effects)
+    print_times("swinging", swinging, library())
+
+
+def print_times(arm: str, recording: Recording, effects: Sequence[Effect]) -> None:
+    """One row of the table."""
+    began = time.perf_counter()
+    windows = Windows(basis_of(recording))
+    Residual(windows, fit_nominal(windows)).describe()
+    where = time.perf_counter() - began
+    gather(windows, effects)
+    print(f"{arm:>10}{np.ptp(recording.t):14.1f}{len(effects):9d}{where:10.2f}{time.perf_counter() - began:16.1f}", flush=True)
 
 
 if __name__ == "__main__":

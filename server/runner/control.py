@@ -37,7 +37,7 @@ from core.words.message import Message
 from server.runner.messages import Done, Failed, FromChild, Happened, MotionEnded, Order, Paced, Ready, Sampled
 from server.runner.pipe import Listener, Speaker
 from server.runner.planning import PlanningProcess, PlanRefused
-from server.runner.priority import Priority, take
+from server.runner.priority import Priority, begin_real_time, end_real_time, take
 from server.runner.run_folder import RECORDING, RESULT, lock_run_folder, name_report
 from server.runner.sample_stream import SampleStream
 from server.runner.served_run import DiskRecorder, LiveView, PlanningElsewhere, look_at_zones, make_end_error
@@ -55,8 +55,7 @@ def main(order: Order, connection: Connection) -> None:
     planning = PlanningProcess(_stops_of(order), connection, *unshared)
     speaker: ChildSpeaker = Speaker(connection, Sampled)
     _lock = lock_run_folder(order.folder)  # as long as we live: who recovers the run's samples waits for it
-    waits = order.pace == "real_time" or not is_simulated(order.cell)
-    take(Priority.CONTROL if waits else Priority.PLANNING)  # one that never waits would take it from the server
+    take(Priority.CONTROL if _waits(order) else Priority.PLANNING)  # one that never waits would take it from the server
     try:
         _carry_out(order, connection, planning, watch, speaker)
     except HeftError as error:
@@ -69,6 +68,11 @@ def main(order: Order, connection: Connection) -> None:
         if watch is not None:
             watch.close()
         os._exit(0)  # libraries take their time to tidy up, and OMPL prints what it leaks; everything of ours is closed
+
+
+def _waits(order: Order) -> bool:
+    """Whether the control loop sleeps between its samples."""
+    return order.pace == "real_time" or not is_simulated(order.cell)
 
 
 def _report_failure(error: HeftError) -> Failed:
@@ -123,9 +127,12 @@ def _carry_out(
         run = Run(order.cell, model, session, order.payload_box, elsewhere, DiskRecorder(log, online, stream), done=done, watch=watch)
         plan = _wait_for_release(run, start, order, lease, listener, speaker)
         procedure = move_and_estimate(run, plan, twin, order.folder / RECORDING, without)
+        if _waits(order):
+            begin_real_time()
         try:
             outcome = _pump(procedure, run, LiveView(run, online, speaker), lease, listener, speaker)
         finally:
+            end_real_time()
             if isinstance(pace, RealTime):
                 speaker.tell(Paced(pace.ticks, pace.late, pace.latest_s, pace.median_s))
     at = datetime.now(UTC)
@@ -202,6 +209,7 @@ def _pump(
             view.show(event)
         speaker.tell(Happened(event))
         if isinstance(event, RecordingWritten | Finished):
+            end_real_time()  # what follows never sleeps
             gc.enable()
         if isinstance(event, RecordingWritten):
             speaker.tell(MotionEnded())

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from PIL import Image
 from playwright.sync_api import Browser, Page
 
-from tests.server.real_service import Console, RealService
+from tests.server.real_service import Console, RealService, is_late
 from tests.web.screens import show, signed_in
 
 CHANGED = 30
@@ -28,8 +28,10 @@ def test_the_robot_in_the_page_moves_and_stands_as_the_robot_does(service: RealS
         assert person.release(run).status_code == 200
         page = show(at, "runs", run)
         at.until_drawn()
-        assert any(pixels_that_change(page) > MOVED_PIXELS for _ in range(PICTURES))
-        assert person.command(run, "hold").status_code == 200, person.run(run)["state"]
+        with person.keep_moving(run):
+            assert any(pixels_that_change(page) > MOVED_PIXELS for _ in range(PICTURES))
+        held = person.command(run, "hold")
+        assert held.status_code == 200 or is_late(person.run(run)), held.text  # a busy machine may have held it before
         at.wait("[data-state=Held]")
         page.wait_for_timeout(BETWEEN_MS)
         assert pixels_that_change(page) < MOVED_PIXELS

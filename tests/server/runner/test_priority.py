@@ -1,0 +1,61 @@
+"""A control loop comes first while the robot moves, and what it begins meanwhile does not."""
+
+from __future__ import annotations
+
+import os
+import threading
+
+import pytest
+
+from server.runner.priority import REAL_TIME, begin_real_time, end_real_time
+
+
+def policy() -> tuple[int, int]:
+    """Of the calling thread, with its real-time priority."""
+    return os.sched_getscheduler(0) & ~os.SCHED_RESET_ON_FORK, os.sched_getparam(0).sched_priority
+
+
+def in_a_thread(ask: object) -> list[object]:
+    """What a thread of its own answers, so that the test's own keeps what it has."""
+    told: list[object] = []
+
+    def run() -> None:
+        assert callable(ask)
+        told.append(ask())
+
+    thread = threading.Thread(target=run)
+    thread.start()
+    thread.join()
+    return told
+
+
+def try_it() -> bool:
+    """Whether this process has the permission."""
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(1))
+    except PermissionError:
+        return False
+    return True
+
+
+@pytest.mark.skipif(in_a_thread(try_it) == [False], reason="this process may not")
+def test_a_thread_comes_first_and_those_that_it_begins_do_not() -> None:
+    def ask() -> object:
+        begin_real_time()
+        during, below = policy(), in_a_thread(policy)
+        end_real_time()
+        return during, below, policy()
+
+    usual = (os.SCHED_OTHER, 0)
+    assert in_a_thread(ask) == [((os.SCHED_FIFO, REAL_TIME), [usual], usual)]
+    assert policy() == usual
+
+
+def test_without_the_permission_everything_runs_as_usual(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object) -> None:
+        raise PermissionError
+
+    monkeypatch.setattr(os, "sched_setscheduler", refuse)
+    begin_real_time()
+    end_real_time()
+    assert policy() == (os.SCHED_OTHER, 0)
