@@ -37,11 +37,11 @@ without a graphics card a thread at -10 waits up to 0.5 s for its turn, one at t
 def begin_real_time() -> None:
     """This thread comes first until `end_real_time`. It has to sleep between its samples, or nothing else runs on its core; threads and
     processes that it begins meanwhile are not so."""
-    with suppress(PermissionError):
+    with suppress(OSError):  # not permitted, or a kernel that has none
         os.sched_setscheduler(0, os.SCHED_FIFO | os.SCHED_RESET_ON_FORK, os.sched_param(REAL_TIME))
 
 
 def end_real_time() -> None:
     """This thread has its `Priority` again."""
-    with suppress(PermissionError):  # who had none of the permission had nothing to give back
+    with suppress(OSError):  # nothing to give back
         os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
