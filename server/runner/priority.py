@@ -31,7 +31,7 @@ def take(priority: Priority) -> None:
 
 REAL_TIME = 10
 """Above every process that has no such priority. `nice` gives a larger share and promises nothing about when: beside two browsers that draw
-without a graphics card a thread at -10 waits up to 0.5 s for its turn, one at this priority none that can be seen."""
+without a graphics card a thread at -10 waits up to 0.6 s for its turn, one at this priority none that can be seen."""
 
 
 def begin_real_time() -> None:
@@ -44,4 +44,4 @@ def begin_real_time() -> None:
 def end_real_time() -> None:
     """This thread has its `Priority` again."""
     with suppress(OSError):  # nothing to give back
-        os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
+        os.sched_setscheduler(0, os.SCHED_OTHER | os.SCHED_RESET_ON_FORK, os.sched_param(0))  # only root may take the flag away again

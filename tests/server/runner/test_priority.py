@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import errno
 import os
+import subprocess
+import sys
 import threading
 
 import pytest
@@ -50,6 +52,24 @@ def test_a_thread_comes_first_and_those_that_it_begins_do_not() -> None:
     usual = (os.SCHED_OTHER, 0)
     assert in_a_thread(ask) == [((os.SCHED_FIFO, REAL_TIME), [usual], usual)]
     assert policy() == usual
+
+
+GIVEN_BACK_BY_NOBODY = """
+import os
+from server.runner.priority import begin_real_time, end_real_time
+begin_real_time()
+print(os.sched_getscheduler(0) & ~os.SCHED_RESET_ON_FORK)
+os.setuid(65534)
+end_real_time()
+print(os.sched_getscheduler(0) & ~os.SCHED_RESET_ON_FORK)
+"""
+
+
+@pytest.mark.skipif(os.geteuid() != 0 or in_a_thread(try_it) == [False], reason="only root can lose the permission meanwhile")
+def test_it_is_given_back_without_the_permission_to_have_more() -> None:
+    """As where a limit of the system allows real-time priority and nothing else."""
+    said = subprocess.run([sys.executable, "-c", GIVEN_BACK_BY_NOBODY], capture_output=True, text=True, check=True).stdout
+    assert said.split() == [str(os.SCHED_FIFO), str(os.SCHED_OTHER)]
 
 
 @pytest.mark.parametrize("error", [PermissionError(errno.EPERM, ""), OSError(errno.ENOSYS, "")])
