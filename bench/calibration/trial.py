@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 
-import numpy as np
 from pydantic import BaseModel, ConfigDict
 from threadpoolctl import threadpool_limits
 
@@ -17,7 +16,8 @@ from core.gap.closure import gap_of
 from core.gap.effect_fit import EffectFit
 from core.gap.evidence import gather
 from core.gap.fit_all import one_by_one
-from core.gap.limits import BEYOND_STD, GAP, SHARES, sizes
+from core.gap.limits import GAP
+from core.gap.materiality import find_farthest, find_margins
 from core.gap.windows import Windows
 from core.version import code_version
 
@@ -31,6 +31,7 @@ class Trial(BaseModel):
         gap: that the nominal twin leaves.
         matters: whether what was planted lifts the gap above 2, or moves the payload from the true one by what matters.
         material: whether the diagnosis took it to.
+        margins: by how much, each of `core.gap.materiality.Margins`.
         traces: the nominal twin's first.
         seconds: of processor time.
     """
@@ -44,6 +45,7 @@ class Trial(BaseModel):
     gap: float
     matters: bool
     material: bool
+    margins: tuple[float, float, float]
     traces: tuple[Trace, ...]
     seconds: float
     version: str
@@ -69,6 +71,7 @@ def run_trial(seed: int) -> Trial:
         gap=gap_of(windows, evidence.nominal),
         matters=bool(planted.families) and does_matter(windows, evidence.nominal, planted.phi),
         material=evidence.material,
+        margins=find_margins(evidence.windows, evidence.nominal, evidence.best),
         traces=tuple(trace_of(fit, planted.phi) for fit in (evidence.nominal, *evidence.singles, *evidence.joined)),
         seconds=time.process_time() - began,
         version=code_version(),
@@ -77,5 +80,4 @@ def run_trial(seed: int) -> Trial:
 
 def does_matter(windows: Windows, nominal: EffectFit, phi: Array) -> bool:
     """By the rules of `core.gap.materiality`, against the true payload (10,)."""
-    moved = np.abs(nominal.phi - phi)
-    return bool(gap_of(windows, nominal) > GAP or ((moved > SHARES * sizes(phi)) & (moved > BEYOND_STD * nominal.phi_std)).any())
+    return gap_of(windows, nominal) > GAP or find_farthest(nominal.phi - phi, phi, nominal.phi_std) > 1.0

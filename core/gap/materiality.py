@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
-from numpy.typing import NDArray
 
 from core.array import Array
 from core.estimation.determination import find_determined
@@ -16,24 +17,33 @@ DOUBT = 2.0
 """A reference is doubted only where the payload's difference from it moves the wrench by more than so many times the gap."""
 
 
+class Margins(NamedTuple):
+    """What is there, each as a multiple of what matters.
+
+    Args:
+        gap: what the nominal twin leaves on motions that it has not seen.
+        moved: the farthest payload parameter, of what the best explanation does to the estimate and its uncertainty lets be said.
+        reference: the same, explained or not, away from the reference; 0 where the gap, which is there for certain, may not be why.
+    """
+
+    gap: float
+    moved: float
+    reference: float
+
+
 def is_material(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:
     """Whether what is there lifts the gap above 2, or moves the payload: by what the best explanation does to the estimate, or, explained
     or not, away from the reference."""
-    gap = np.sqrt(max(0.0, 1.0 + (float(nominal.held_out.mean()) - 1.0) / windows.samples_per_row))
-    return bool(gap > GAP) or bool(find_moved_parameters(nominal, best).any()) or _is_off_reference(windows, nominal, best)
+    return max(find_margins(windows, nominal, best)) > 1.0
 
 
-def find_moved_parameters(nominal: EffectFit, best: EffectFit) -> NDArray[np.bool_]:
-    """(10,), which payload parameters the effect moves materially."""
-    return _apart(best.phi - nominal.phi, best.phi, best.phi_std)
-
-
-def _is_off_reference(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:
-    """Whether the estimate is materially off the reference by so little that the gap, which is there for certain, may be why."""
-    reference = windows.basis.reference
-    if reference is None or not best.effects:
-        return False
-    return bool(_apart(nominal.phi - reference, reference, nominal.phi_std).any()) and is_doubtful(windows, nominal)
+def find_margins(windows: Windows, nominal: EffectFit, best: EffectFit) -> Margins:
+    """By how much it does."""
+    gap = float(np.sqrt(max(0.0, 1.0 + (float(nominal.held_out.mean()) - 1.0) / windows.samples_per_row)))
+    reference, off = windows.basis.reference, 0.0
+    if reference is not None and best.effects and is_doubtful(windows, nominal):
+        off = find_farthest(nominal.phi - reference, reference, nominal.phi_std)
+    return Margins(gap / GAP, find_farthest(best.phi - nominal.phi, best.phi, best.phi_std), off)
 
 
 def is_doubtful(windows: Windows, fit: EffectFit) -> bool:
@@ -44,9 +54,10 @@ def is_doubtful(windows: Windows, fit: EffectFit) -> bool:
     return signature < DOUBT**2 * (float(fit.held_out.mean()) - 1.0)
 
 
-def _apart(difference: Array, phi: Array, std: Array) -> NDArray[np.bool_]:
-    """(10,), which payload parameters differ by more than matters and more than their uncertainty."""
-    return np.asarray((np.abs(difference) > SHARES * sizes(phi)) & (np.abs(difference) > BEYOND_STD * std))
+def find_farthest(difference: Array, phi: Array, std: Array) -> float:
+    """Of payload parameters (10,), the largest difference in units of what matters and is beyond its uncertainty: above 1 it does."""
+    size = np.maximum(SHARES * sizes(phi), BEYOND_STD * std)
+    return float((np.abs(difference) / size).max())
 
 
 def payload_shift(nominal: EffectFit, best: EffectFit) -> Message:

@@ -18,8 +18,8 @@ from core.gap.basis import basis_of
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.evidence import Evidence
 from core.gap.fit_all import pair_of
-from core.gap.limits import BEYOND_STD, GAP, SHARES, sizes
-from core.gap.materiality import is_material
+from core.gap.limits import GAP
+from core.gap.materiality import find_farthest, is_material
 from core.gap.tie import distance_sigma
 from core.gap.windows import PHI, Windows
 from core.recording.recording import Recording
@@ -115,8 +115,7 @@ def _materiality(windows: Windows, fooled: EffectFit, payload: Array, std: Array
         payload, std: (10,), as it truly was, and how well the true effect's fit knows it.
     """
     gap = float(fooled.held_out.mean()) / windows.samples_per_row / (GAP**2 - 1.0)
-    limit = np.maximum(SHARES * sizes(payload), BEYOND_STD * std)
-    return max(_root(gap), float((np.abs(fooled.phi - payload) / limit).max()))
+    return max(_root(gap), find_farthest(fooled.phi - payload, payload, std))
 
 
 def _derive_bound(ids: tuple[str, ...], evidence: Evidence, clean_cost: float | None) -> Bound:
