@@ -46,6 +46,7 @@ advice-sensor-lowpass = Switch the sensor's filter off or raise it well above { 
 advice-sensor-noise = Check the sensor's supply, shield and cable ({ $channel } is { FIXED($times, digits: 1) } times as noisy as stated), or state the higher noise and hold longer.
 advice-sensor-nonlinearity = Have the sensor's linearity checked with known weights: { $channel } is bent by { PERCENT($bend_share, digits: 1) } % at full scale.
 advice-sensor-nonlinearity-knee = Look for dirt or a cover that touches inside the sensor from { $load } on, and have its linearity checked with known weights: from there { $channel } has a slope that is off by { PERCENT($change_share, digits: 1) } %.
+advice-sensor-nonlinearity-polynomial = Have the sensor's linearity checked with known weights, pulled and pushed: { $channel } is bent by { PERCENT($bend_share, digits: 1) } % at { $load }.
 advice-sensor-offset-step = Check the sensor's plug and cable and tare it: { FIXED($at_s, digits: 1) } s after the start its offset jumped by { $step }.
 advice-sensor-quantization = Choose the sensor's finest resolution or a smaller range: { $channel } comes in steps of { $step }; until then move a little during the holds.
 advice-sensor-rotation = Correct the sensor frame in the URDF: turn it by { DEGREES($x_rad, digits: 2) }, { DEGREES($y_rad, digits: 2) } and { DEGREES($z_rad, digits: 2) } deg about its x, y and z axes, or remount the sensor.

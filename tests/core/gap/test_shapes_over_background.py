@@ -161,6 +161,18 @@ def test_another_slope_from_a_load_on_is_a_non_linearity_with_its_knee(run: Run)
     assert best.parameters["knee_share"].value == pytest.approx(0.4, abs=0.03)
 
 
+def test_a_reading_that_is_a_polynomial_of_the_load_is_a_non_linearity(run: Run) -> None:
+    recording, load = recorded(run, 15)
+    most = np.abs(load).max(axis=0)
+    x = load / most
+    bent = load * (np.array([0.01, -0.02, 0.015, 0.0, 0.02, 0.0]) * x + np.array([0.03, 0.02, 0.04, 0.0, 0.0, 0.0]) * x * x)
+    diagnosis = explain(replace(recording, wrench=recording.wrench + bent), *OF_GAIN, "sensor_crosstalk")
+    best = diagnosis.effects[0]
+    assert (diagnosis.verdict, best.id) == ("explained", "sensor_nonlinearity")
+    assert best.parameters["fz_third_degree_share"].value == pytest.approx(0.04, abs=0.006)
+    assert not best.addable
+
+
 def test_a_supply_that_goes_up_and_down_is_a_gain_with_its_cycle(run: Run) -> None:
     recording, load = recorded(run, 14)
     course = 1.0 + 0.6 * np.sin(2.0 * np.pi * (run.t - run.t[0]) / 22.0 + 1.0)
