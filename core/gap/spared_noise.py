@@ -2,9 +2,9 @@
 
 The twin predicts from measured joints, and their noise goes through the payload and every effect with the rest. A filter takes some of it
 away, and so does an effect that stands for the payload's weight and leaves it next to no mass: the residual gets smaller whether the effect
-is there or not. That is no evidence, and is given back. An effect that jumps makes much noise of little, since it jumps early or late:
-what it predicts is that much less certain, which excuses a residual and has its price (the normal density's two terms). What is far
-beyond it is not excused.
+is there or not. That is no evidence, and is given back. An effect that jumps makes much noise of little, since it jumps early or late,
+and so does one that swings without damping: what it predicts is that much less certain, which excuses a residual and has its price (the
+normal density's two terms). What is far beyond it is not excused.
 """
 
 from __future__ import annotations
@@ -20,6 +20,8 @@ LEAST = 1.0
 """Of chi-square in all: less noise of the kinematics is not looked at."""
 FEWER = 4
 """Draws, where nothing is filtered and hardly any noise is spared."""
+LOUD = 1.0
+"""Times the variance of the noise: what adds more of it, on a motion and in a channel, is as uncertain as what jumps."""
 MOST_EXCUSED = 100.0
 """Times the variance that noise makes may be excused by it: what shakes an arm may be ten times what is known of it, and no more."""
 
@@ -32,7 +34,7 @@ def take_off_noise(held_out: Array, problem: Problem, theta: Array, beta: Array)
         theta, beta: see `estimate_spared_noise`.
     """
     spared = estimate_spared_noise(problem, theta, beta)
-    if not any(effect.jumps for effect in problem.effects):
+    if not any(effect.jumps for effect in problem.effects) and spared.min() > -LOUD:
         return np.asarray(held_out + spared)
     held_out = share_among_channels(problem.windows, held_out)
     added = np.maximum(0.0, -spared)

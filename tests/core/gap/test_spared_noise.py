@@ -9,10 +9,11 @@ import pytest
 
 from core.effects.hysteresis_that_snaps import HysteresisThatSnaps
 from core.effects.library import library
+from core.effects.loose_on_hinge import LooseOnHinge
 from core.gap.basis import basis_of
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.problem import Problem
-from core.gap.spared_noise import share_among_channels, take_off_noise
+from core.gap.spared_noise import estimate_spared_noise, share_among_channels, take_off_noise
 from core.gap.windows import Windows
 from tests.synthetic import Imperfections, payload, record, run_of
 
@@ -84,3 +85,13 @@ def test_no_channel_of_a_motion_counts_less_than_nothing_and_its_sum_stays() -> 
         assert before.sum() > 0.0 > before.min()
         assert (after >= 0.0).all()
         assert after.sum() == pytest.approx(before.sum())
+
+
+def test_a_part_that_swings_undamped_is_not_paid_for_the_noise_that_it_makes() -> None:
+    run = run_of("lwr4_bench", 0, repetitions=1)
+    recording = record(run, payload("steel_block"), np.random.default_rng(0), Imperfections(encoder_std=1e-4))
+    windows = Windows(basis_of(recording))
+    problem, beta = Problem(windows, (LooseOnHinge(),)), fit_nominal(windows).beta
+    rings = np.array([0.0, 0.1, 0.1, 9.0, 0.003, 0.0, 0.4, 0.3, 0.0, 0.3])
+    assert estimate_spared_noise(problem, rings, beta).min() < -1.0
+    assert take_off_noise(np.ones(windows.target.shape), problem, rings, beta).min() > 0.0
