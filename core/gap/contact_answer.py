@@ -96,11 +96,16 @@ def answer_touched(recording: Recording, evidence: Evidence, touched: Touched) -
     beside = rest if touched.best.effects else whole
     left = 1.0 - touched.unknown - touched.probability
     others = left / max(1e-12, 1.0 - beside.none_probability - beside.unknown_probability)
+    besides = [each.model_copy(update={"probability": others * each.probability}) for each in beside.effects]
+    of_one = sum(each.probability for each in besides if each.id == CONTACT.id)  # one contact says the same with fewer of them
     told = rest.model_copy(
         update={
             "verdict": "explained",
             "summary": summary,
-            "effects": [contact, *(each.model_copy(update={"probability": others * each.probability}) for each in beside.effects)],
+            "effects": [
+                contact.model_copy(update={"probability": contact.probability + of_one}),
+                *(each for each in besides if each.id != CONTACT.id),
+            ],
             "pairs": [*both, *(each.model_copy(update={"probability": others * each.probability}) for each in beside.pairs)],
             "none_probability": 0.0,
             "unknown_probability": touched.unknown,

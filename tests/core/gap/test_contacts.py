@@ -143,6 +143,7 @@ def test_pushes_and_a_base_that_is_not_level_are_both_named_and_the_payload_is_t
     truth = payload("steel_block").phi
     assert abs(after.phi[0] - truth[0]) < 4.0 * after.std[0] + 0.001 * truth[0]
     assert diagnosis.gap.after < 0.05 * diagnosis.gap.before
+    assert len({each.id for each in diagnosis.effects}) == len(diagnosis.effects)
     total = sum(each.probability for each in (*diagnosis.effects, *diagnosis.pairs))
     assert total + diagnosis.none_probability + diagnosis.unknown_probability == pytest.approx(1.0)
 
