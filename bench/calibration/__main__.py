@@ -18,6 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from bench.calibration.intervals import find_held_left_out, find_widened
 from bench.calibration.learning import can_teach, learn, predict_left_out, stack
+from bench.calibration.mattering import learn_mattering
 from bench.calibration.scores import HEADER, find_coverage, find_outside, score
 from bench.calibration.trial import Trial, run_trial
 from core.gap.weighing import FILE, Figures, Provenance
@@ -52,22 +53,20 @@ def run_trials(path: Path, seeds: list[int], workers: int, dask: str | None) -> 
 def learn_figures(trials: list[Trial]) -> Figures:
     """Learns from all trials; prints how well figures do that were learnt without the variant or cause that they are tried on."""
     teaching = [trial for trial in trials if can_teach(trial)]
-    left_out = predict_left_out(trials)
+    there, left_out = predict_left_out(trials)
     learnt = score(trials, left_out)
     covered, size = find_coverage(trials, left_out)
-    widened, payload_held = find_widened(trials, left_out), find_held_left_out(trials, left_out)
+    widened, payload_held = find_widened(trials, there), find_held_left_out(trials, there)
     print(HEADER, learnt.say("variants left out"), sep="\n")
     print(f"sets that are to hold the truth in 90 %: {100 * covered:.1f} %, {size:.1f} answers each")
     held = {} if payload_held is None else {"payload_held": round(payload_held, 3)}
     if payload_held is not None:
         print(f"95 % intervals of the payload, learnt from other trials, that hold the truth: {100 * payload_held:.1f} %")
-    counted = [trial for trial in trials if not trial.material]
-    missed = sum(trial.matters for trial in counted)
     seeds = [trial.seed for trial in trials]
     return Figures(
         figures={name: round(value, 4) for name, value in learn(stack(teaching)).items()},
-        outside=round(find_outside(teaching, left_out), 4),
-        overlooked=round((missed + 1) / (len(counted) + 2), 4),
+        outside=round(find_outside(trials, left_out), 4),
+        matters={name: (round(at, 2), round(by, 2)) for name, (at, by) in learn_mattering(trials).items()},
         widened=round(widened, 2),
         provenance=Provenance(
             date=f"{datetime.now(UTC):%Y-%m-%d}",

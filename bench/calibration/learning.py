@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
 
+from bench.calibration.mattering import learn_mattering
 from bench.calibration.trial import Trial
 from core.array import Array
-from core.gap.weighing import Contest, count, weigh_numbers
+from core.gap.weighing import Contest, count, find_mattering, weigh_numbers
 
 PRIOR = {
     "log_draws": (np.log(10.0), 1.0),
@@ -47,8 +48,8 @@ def can_teach(trial: Trial) -> bool:
 
 
 def find_truth(trial: Trial) -> int:
-    """Place of the truth among none, unknown and the fits; what no fit stands for is unknown."""
-    if trial.truth == "none":
+    """Place of the truth among none, which what does not matter is too, unknown and the fits; what no fit stands for is unknown."""
+    if not trial.matters:
         return 0
     names = [sorted(trace.name.split("+")) for trace in trial.traces[1:]]
     return next((2 + k for k, name in enumerate(names) if name == sorted(trial.families)), 1)
@@ -93,14 +94,26 @@ def group_of(trial: Trial) -> str:
     return f"{len(trial.families)}:{trial.seed % FOLDS}"
 
 
-def predict_left_out(trials: Sequence[Trial]) -> dict[int, Array]:
-    """By seed, probabilities of each trial by figures that were learnt without its group."""
+class LeftOut(NamedTuple):
+    """By seed, probabilities of each trial by figures that were learnt without its group: of what is there, and of what is told, where what
+    does not matter counts as none."""
+
+    there: dict[int, Array]
+    told: dict[int, Array]
+
+
+def predict_left_out(trials: Sequence[Trial]) -> LeftOut:
+    """Learnt from the other groups, one after the other."""
     whole = learn(stack([trial for trial in trials if can_teach(trial)]))
-    found: dict[int, Array] = {}
+    found = LeftOut({}, {})
     for group in sorted({group_of(trial) for trial in trials}):
-        rest = [trial for trial in trials if group_of(trial) != group and can_teach(trial)]
+        others = [trial for trial in trials if group_of(trial) != group]
+        rest, matters = [trial for trial in others if can_teach(trial)], learn_mattering(others)
         figures = learn(stack(rest), whole) if rest else whole
         for trial in trials:
             if group_of(trial) == group:
-                found[trial.seed] = weigh_numbers(count(trial.traces[0], trial.traces[1:]), figures)
+                there = weigh_numbers(count(trial.traces[0], trial.traces[1:]), figures)
+                mattering = float(find_mattering(np.array(trial.margins, dtype=float), matters))
+                found.there[trial.seed] = there
+                found.told[trial.seed] = np.append(1.0 - mattering * (1.0 - there[0]), mattering * there[1:])
     return found

@@ -49,6 +49,7 @@ class Planted(NamedTuple):
     Args:
         families, variants: of what was planted, sorted by family.
         phi: (10,), the true payload.
+        sound: the recording without what was planted, the same noise and background in it.
     """
 
     families: tuple[str, ...]
@@ -56,6 +57,7 @@ class Planted(NamedTuple):
     size: float
     phi: Array
     recording: Recording
+    sound: Recording
 
 
 def _planting(kind: type[Fault]) -> Plant:
@@ -87,7 +89,10 @@ def plant_trial(seed: int) -> Planted:
     chosen = rng.permutation(known)[: {"none": 0, "single": 1, "double": 2, "unknown": 0}[kind]].tolist()
     families = tuple(sorted(["unknown"] if kind == "unknown" else chosen))
     variants = tuple(str(rng.choice(sorted(PLANTS[family]))) for family in families)
-    clean = p.wrench.copy()
+    clean, read = p.wrench.copy(), p.read.copy()
     for family, variant in zip(families, variants, strict=True):
         PLANTS[family][variant](p)
-    return Planted(families, variants, p.size, p.body.phi, p.record(clean))
+    before = p.rng.bit_generator.state
+    recording = p.record(clean)
+    p.rng.bit_generator.state, p.wrench, p.read = before, clean.copy(), read
+    return Planted(families, variants, p.size, p.body.phi, recording, p.record(clean))

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bench.calibration.learning import can_teach, find_truth, group_of
+from bench.calibration.learning import find_truth, group_of
 from bench.calibration.trial import Trial
 from core.array import Array
+from core.gap.evidence import MATTERS
 
 BINS = 5
 HELD = 0.9
@@ -17,12 +18,12 @@ HELD = 0.9
 
 @dataclass(frozen=True)
 class Scores:
-    """Of one way to weigh, on trials that count: what was planted matters, or nothing was planted.
+    """Of one way to weigh.
 
     Args:
         named: single causes whose name the verdict is; pairs: exactly those two; unknown: called unknown; false alarms: a gap where
-            nothing was planted. Each right, of so many.
-        log_loss: of the truth, mean.
+            nothing was planted. Each right, of so many that count: what was planted matters, or nothing was.
+        log_loss: of the truth, mean over all trials: what was planted and does not matter is none.
         calibration: difference between first probabilities and how often they were right, over bins of equal counts.
     """
 
@@ -56,8 +57,7 @@ def score(trials: Sequence[Trial], told: dict[int, Array]) -> Scores:
     for trial in counted:
         kind = "none" if not trial.families else "unknown" if trial.truth == "unknown" else "named" if len(trial.families) == 1 else "pairs"
         tally[kind].append(is_right(trial, told[trial.seed]))
-    weighed = [trial for trial in counted if can_teach(trial)]
-    truths = np.array([told[trial.seed][find_truth(trial)] for trial in weighed])
+    truths = np.array([told[trial.seed][find_truth(trial)] for trial in trials])
     right, of = {kind: sum(each) for kind, each in tally.items()}, {kind: len(each) for kind, each in tally.items()}
     return Scores(
         (right["named"], of["named"]),
@@ -65,13 +65,13 @@ def score(trials: Sequence[Trial], told: dict[int, Array]) -> Scores:
         (right["unknown"], of["unknown"]),
         (of["none"] - right["none"], of["none"]),
         float(-np.log(np.maximum(truths, 1e-9)).mean()) if len(truths) else 0.0,
-        find_calibration_error(weighed, told),
+        find_calibration_error(trials, told),
     )
 
 
 def is_right(trial: Trial, p: Array) -> bool:
     """Whether the verdict is: no gap, unknown, or the name and nothing else, and that name is in the library's words."""
-    if not trial.material:
+    if p[0] > 1.0 - MATTERS:
         return not trial.families
     k = int(np.argmax(p[1:])) + 1
     if k == 1:
@@ -95,10 +95,9 @@ def find_outside(trials: Sequence[Trial], told: dict[int, Array]) -> float:
 
 def find_coverage(trials: Sequence[Trial], told: dict[int, Array]) -> tuple[float, float]:
     """How often sets hold the truth, and how large they are in the mean; their limit from the other groups."""
-    weighed = [trial for trial in trials if can_teach(trial)]
     held, sizes = [], []
-    for trial in weighed:
-        limit = find_outside([other for other in weighed if group_of(other) != group_of(trial)], told)
+    for trial in trials:
+        limit = find_outside([other for other in trials if group_of(other) != group_of(trial)], told)
         p = told[trial.seed]
         held.append(p[find_truth(trial)] >= limit)
         sizes.append(int((p >= limit).sum()))

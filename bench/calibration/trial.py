@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import time
 
+import numpy as np
 from pydantic import BaseModel, ConfigDict
 from threadpoolctl import threadpool_limits
 
-from bench.calibration.planting import plant_trial
+from bench.calibration.planting import Planted, plant_trial
 from bench.calibration.trace import Trace, trace_of
-from core.array import Array
 from core.effects.library import library
 from core.gap.basis import basis_of
 from core.gap.closure import gap_of
-from core.gap.effect_fit import EffectFit
+from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.evidence import gather
 from core.gap.fit_all import one_by_one
 from core.gap.limits import GAP
@@ -29,9 +29,9 @@ class Trial(BaseModel):
         families, variants: of what was planted, sorted by family.
         size: in plausible sizes.
         gap: that the nominal twin leaves.
-        matters: whether what was planted lifts the gap above 2, or moves the payload from the true one by what matters.
+        matters: whether what was planted lifts the gap above 2, or moves the payload by what matters.
         material: whether the diagnosis took it to.
-        margins: by how much, each of `core.gap.materiality.Margins`.
+        margins: by how much, each of `core.gap.materiality.Margins`; None where the reference tells nothing.
         traces: the nominal twin's first.
         seconds: of processor time.
     """
@@ -45,7 +45,7 @@ class Trial(BaseModel):
     gap: float
     matters: bool
     material: bool
-    margins: tuple[float, float, float]
+    margins: tuple[float, float, float | None]
     traces: tuple[Trace, ...]
     seconds: float
     version: str
@@ -63,21 +63,24 @@ def run_trial(seed: int) -> Trial:
         planted = plant_trial(seed)
         windows = Windows(basis_of(planted.recording))
         evidence = gather(windows, library(), one_by_one)
+    margins = find_margins(evidence.windows, evidence.nominal, evidence.best)
     return Trial(
         seed=seed,
         families=planted.families,
         variants=planted.variants,
         size=planted.size,
         gap=gap_of(windows, evidence.nominal),
-        matters=bool(planted.families) and does_matter(windows, evidence.nominal, planted.phi),
+        matters=bool(planted.families) and does_matter(windows, evidence.nominal, planted),
         material=evidence.material,
-        margins=find_margins(evidence.windows, evidence.nominal, evidence.best),
+        margins=(margins.gap, margins.moved, None if np.isnan(margins.reference) else margins.reference),
         traces=tuple(trace_of(fit, planted.phi) for fit in (evidence.nominal, *evidence.singles, *evidence.joined)),
         seconds=time.process_time() - began,
         version=code_version(),
     )
 
 
-def does_matter(windows: Windows, nominal: EffectFit, phi: Array) -> bool:
-    """By the rules of `core.gap.materiality`, against the true payload (10,)."""
-    return gap_of(windows, nominal) > GAP or find_farthest(nominal.phi - phi, phi, nominal.phi_std) > 1.0
+def does_matter(windows: Windows, nominal: EffectFit, planted: Planted) -> bool:
+    """By the rules of `core.gap.materiality`, against what the same run comes to without what was planted: what noise and background do to
+    the payload is none of it."""
+    sound = fit_nominal(Windows(basis_of(planted.sound)))
+    return gap_of(windows, nominal) > GAP or find_farthest(nominal.phi - sound.phi, planted.phi, nominal.phi_std) > 1.0

@@ -67,13 +67,13 @@ def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:
     """What the wrench alone says."""
     windows, nominal, best = evidence.windows, evidence.nominal, evidence.best
     attribution, material, verdict = evidence.attribution, evidence.material, evidence.verdict
-    explained = attribution.explained if material else ()
+    explained = [(fit, evidence.mattering * p) for fit, p in attribution.explained] if material else []
     return Diagnosis(
         verdict=verdict,
         summary=_summarise(verdict, evidence),
         effects=[explain(evidence, fit, p) for fit, p in explained if len(fit.effects) == 1],
-        none_probability=attribution.none if material else 1.0 - read_figures().overlooked,
-        unknown_probability=attribution.unknown if material else read_figures().overlooked,
+        none_probability=evidence.none,
+        unknown_probability=evidence.mattering * attribution.unknown if material else 1.0 - evidence.none,
         pairs=[explain_both(evidence, fit, p) for fit, p in explained if len(fit.effects) > 1],
         minor=[] if material else _minor(evidence),
         indistinguishable=[_describe_tie(tie, evidence.proposals) for tie in attribution.ties] if material else [],

@@ -15,20 +15,24 @@ from core.effects.scene import Scene
 from core.estimation.gears import SoundGears
 from core.gap.answer import Verdict
 from core.gap.attribution import Attribution, attribute, choose_variants, probabilities
+from core.gap.closure import gap_of
 from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.fit_all import FitAll, Task, on_all_cores
-from core.gap.materiality import is_material
+from core.gap.limits import GAP
+from core.gap.materiality import find_margins
 from core.gap.most_rows import DRAWN, PARTS, fit_most
 from core.gap.partners import leave_out_each, partners, take_fewer
 from core.gap.proposal import Proposal
 from core.gap.sound_gears import ONE_IS_ENOUGH, find_gears_among, find_sound_gears, hold_gears
 from core.gap.tie import Tie, distance_sigma
-from core.gap.weighing import find_left_share
+from core.gap.weighing import find_left_share, find_mattering, read_figures
 from core.gap.windows import PHI, Windows
 from core.words.message import Message
 
 EXPLAINED = 0.5
 """Probability from which one name is given."""
+MATTERS = 1.0 / 3.0
+"""Probability from which something is said to matter: what is named in vain costs a look, what is not named a wrong payload."""
 FIRSTS, FURTHER = 2, 3
 """A second effect is sought for the best two single ones, a third for the best pair; the three most promising ones of each are fitted. What
 stands for several at once bends best alone, and is left out again: so then is each of the best set, and others are sought in its place."""
@@ -74,9 +78,20 @@ class Evidence:
         return explained[0][0] if explained and self.attribution.none < EXPLAINED else self.nominal
 
     @cached_property
+    def mattering(self) -> float:
+        """Probability that what is there matters, if anything is."""
+        margins = find_margins(self.windows, self.nominal, self.best)
+        return float(find_mattering(np.array(margins), read_figures().matters))
+
+    @property
+    def none(self) -> float:
+        """Probability that there is nothing, or nothing that matters."""
+        return 1.0 - self.mattering * (1.0 - self.attribution.none)
+
+    @property
     def material(self) -> bool:
-        """Whether there is anything that matters."""
-        return is_material(self.windows, self.nominal, self.best)
+        """Whether something is said to matter."""
+        return self.none < 1.0 - MATTERS
 
     @property
     def verdict(self) -> Verdict:
@@ -201,7 +216,7 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
     """Two effects at once, where one leaves something to explain, and where two do, three; each set once, in the shapes that are most
     probable, those of most effects first, and of as many the best."""
     best = sorted(singles, key=lambda fit: fit.chi_square)
-    if not best or find_left_share(nominal, best[0]) < ONE_IS_ENOUGH or probabilities(nominal, singles)[0] > EXPLAINED:
+    if not best or not _leaves_more(windows, nominal, best[0]) or probabilities(nominal, singles)[0] > EXPLAINED:
         return []
     joinable = _take_joinable(best)
     firsts = joinable[:FIRSTS]
@@ -209,7 +224,7 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
         return []
     fitted = {fit.name: fit for fit in joinable}
     found: list[EffectFit] = []
-    while find_left_share(nominal, firsts[0]) > ONE_IS_ENOUGH and len(firsts[0].effects) < MOST_TOGETHER:
+    while _leaves_more(windows, nominal, firsts[0]) and len(firsts[0].effects) < MOST_TOGETHER:
         seen, grown = {first.name for first in firsts}, _fit_with_partners(windows, nominal, firsts, effects, fit_all)
         for _ in range(EXCHANGES):
             rests = [rest for fit in grown[:1] for rest in leave_out_each(windows, fit) if rest.name not in seen]
@@ -224,6 +239,11 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
         firsts, found = grown[:1], [*grown, *found]
     rests_of_three = [fit for fit in fitted.values() if len(fit.effects) > 1]
     return _take_most_first(nominal, [*found, *rests_of_three])
+
+
+def _leaves_more(windows: Windows, nominal: EffectFit, fit: EffectFit) -> bool:
+    """Whether there may be a further effect: what is left is no small share of the gap, or matters by itself."""
+    return find_left_share(nominal, fit) >= ONE_IS_ENOUGH or gap_of(windows, fit) > GAP
 
 
 def _take_joinable(singles: list[EffectFit]) -> list[EffectFit]:

@@ -15,6 +15,8 @@ from core.words.message import Message
 
 DOUBT = 2.0
 """A reference is doubted only where the payload's difference from it moves the wrench by more than so many times the gap."""
+HIDDEN = 1.01
+"""Gap that a seventh of the noise of a sample makes: zeros, gains and offsets of any arm do, beyond those that the fits allow for."""
 
 
 class Margins(NamedTuple):
@@ -23,7 +25,7 @@ class Margins(NamedTuple):
     Args:
         gap: what the nominal twin leaves on motions that it has not seen.
         moved: the farthest payload parameter, of what the best explanation does to the estimate and its uncertainty lets be said.
-        reference: the same, explained or not, away from the reference; 0 where the gap, which is there for certain, may not be why.
+        reference: the same of the estimate away from the reference; nan where nobody knows it, or something else is carried.
     """
 
     gap: float
@@ -32,18 +34,21 @@ class Margins(NamedTuple):
 
 
 def is_material(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:
-    """Whether what is there lifts the gap above 2, or moves the payload: by what the best explanation does to the estimate, or, explained
-    or not, away from the reference."""
-    return max(find_margins(windows, nominal, best)) > 1.0
+    """Whether what is there lifts the gap above 2, or moves the payload: away from the reference, or where that tells nothing by what the
+    best explanation does to the estimate."""
+    gap, moved, reference = find_margins(windows, nominal, best)
+    return max(gap, moved if np.isnan(reference) else reference) > 1.0
 
 
 def find_margins(windows: Windows, nominal: EffectFit, best: EffectFit) -> Margins:
-    """By how much it does."""
+    """By how much it does; what hides behind the noise moves nothing."""
     gap = float(np.sqrt(max(0.0, 1.0 + (float(nominal.held_out.mean()) - 1.0) / windows.samples_per_row)))
-    reference, off = windows.basis.reference, 0.0
-    if reference is not None and best.effects and is_doubtful(windows, nominal):
-        off = find_farthest(nominal.phi - reference, reference, nominal.phi_std)
-    return Margins(gap / GAP, find_farthest(best.phi - nominal.phi, best.phi, best.phi_std), off)
+    reference, nothing = windows.basis.reference, not best.effects or gap < HIDDEN
+    moved = 0.0 if nothing else find_farthest(best.phi - nominal.phi, best.phi, best.phi_std)
+    off = np.nan if reference is None else find_farthest(nominal.phi - reference, reference, nominal.phi_std)
+    if off > 1.0:
+        off = 0.0 if nothing else off if is_doubtful(windows, nominal) else np.nan
+    return Margins(gap / GAP, moved, off)
 
 
 def is_doubtful(windows: Windows, fit: EffectFit) -> bool:

@@ -30,6 +30,11 @@ STIFF = 6
 LEAST_SHARE = 1e-4
 """Of the gap: less than this is nothing left."""
 
+MEASURES = ("gap", "moved", "reference")
+"""By which what is there may matter."""
+NOTHING = 0.2
+"""Of what matters: less is nothing."""
+
 
 class HeldOut(Protocol):
     """How well a fit predicts motions that it did not see: chi-square of so many rows, by so many free parameters of so many effects beyond
@@ -69,7 +74,8 @@ class Figures(BaseModel):
             each further effect; `unknown`, `unknown_left`, `lapse`, `lapse_left`, logits of the two doubts where the best fit leaves 1 % of
             the gap, and what ten times as much adds to them.
         outside: probability below which an answer is left out of the set that holds the truth in 90 % of all cases.
-        overlooked: probability that something matters although the verdict is that nothing does.
+        matters: of what lifts the gap, of what an explanation moves in the payload, and of what puts it off its reference: the logit that
+            it matters where it was found to be just what does, and what e times as much adds.
         widened: factor on the payload's uncertainty within each explanation of a gap that matters, by which intervals hold the truth as
             often as they say.
     """
@@ -78,7 +84,7 @@ class Figures(BaseModel):
 
     figures: dict[str, float]
     outside: float
-    overlooked: float
+    matters: dict[str, tuple[float, float]]
     widened: float
     provenance: Provenance
 
@@ -154,6 +160,18 @@ def find_doubts(left: Array, figures: Mapping[str, float]) -> tuple[Array, Array
     powers = 2.0 + np.log10(left + LEAST_SHARE)
     unknown, lapse = (expit(figures[name] + figures[f"{name}_left"] * powers) for name in ("unknown", "lapse"))
     return unknown, lapse
+
+
+def find_mattering(margins: Array, matters: Mapping[str, tuple[float, float]]) -> Array:
+    """(...), probability that what is there matters: by the gap, or by the payload, where the reference counts if there is one.
+
+    Args:
+        margins: (..., 3), each of `core.gap.materiality.Margins`.
+    """
+    gap, moved, reference = (
+        expit(at + by * np.log(np.maximum(margins[..., k], NOTHING))) for k, (at, by) in enumerate(matters[name] for name in MEASURES)
+    )
+    return np.asarray(1.0 - (1.0 - gap) * (1.0 - np.where(np.isnan(reference), moved, reference)))
 
 
 def _score_nearness(numbers: Contest) -> Array:

@@ -15,8 +15,8 @@ from core.gap.weighing import weigh_numbers
 from tests.core.gap.test_weighing import trace
 
 
-def trial(seed: int, families: tuple[str, ...], *lefts: float, material: bool = True) -> Trial:
-    """Of a gap of 50; fits `a`, `b`, ... leave so much."""
+def trial(seed: int, families: tuple[str, ...], *lefts: float, material: bool = True, matters: bool | None = None) -> Trial:
+    """Of a gap of 50; fits `a`, `b`, ... leave so much. What is planted matters if nothing else is said."""
     fits = [trace(chr(97 + k), left) for k, left in enumerate(lefts)]
     return Trial(
         seed=seed,
@@ -24,8 +24,9 @@ def trial(seed: int, families: tuple[str, ...], *lefts: float, material: bool = 
         variants=tuple(f"shape_{seed % 10}" for _ in families),
         size=1.0,
         gap=7.0,
-        matters=bool(families),
+        matters=bool(families) if matters is None else matters,
         material=material,
+        margins=(3.5, 2.0, 0.0) if material else (0.5, 0.5, 0.0),
         traces=(trace("none", 50.0 if families else 0.0), *fits),
         seconds=1.0,
         version="",
@@ -66,14 +67,16 @@ def test_what_no_fit_stands_for_is_unknown() -> None:
     assert find_truth(trial(0, ("c",), 1.0, 2.0)) == 1
     assert find_truth(trial(0, ("unknown",), 1.0)) == 1
     assert find_truth(trial(0, (), 1.0)) == 0
+    assert find_truth(trial(0, ("b",), 1.0, 2.0, matters=False)) == 0
 
 
 def test_a_verdict_is_right_by_name_and_nothing_else() -> None:
     p = np.array([0.0, 0.2, 0.5, 0.3])
     assert is_right(trial(0, ("a",), 1.0, 2.0), p)
     assert not is_right(trial(0, ("b",), 1.0, 2.0), p)
-    assert not is_right(trial(0, ("a",), 1.0, 2.0, material=False), p)
-    assert is_right(trial(0, (), 1.0, 2.0, material=False), p)
+    no_gap = np.array([0.7, 0.2, 0.05, 0.05])
+    assert not is_right(trial(0, ("a",), 1.0, 2.0), no_gap)
+    assert is_right(trial(0, (), 1.0, 2.0), no_gap)
     assert is_right(trial(0, ("unknown",), 1.0, 2.0), np.array([0.0, 0.6, 0.3, 0.1]))
 
 

@@ -15,9 +15,12 @@ from core.effects.lowpass_that_opens import LowpassThatOpens
 from core.effects.ripple_that_varies import RippleThatVaries
 from core.effects.zeros_that_warm_up import ZerosThatWarmUp
 from core.gap.basis import basis_of
-from core.gap.evidence import gather
+from core.gap.evidence import EXPLAINED, gather
 from core.gap.fit_all import one_by_one
+from core.gap.sound_gears import ONE_IS_ENOUGH
+from core.gap.weighing import find_left_share
 from core.gap.windows import Term, Windows
+from tests.synthetic import Imperfections, payload, record, run_of
 
 TWO = 24
 """Cross-talk and a delay."""
@@ -31,13 +34,22 @@ def few(*names: str) -> list[Effect]:
     return [effect for effect in library() if effect.id in names]
 
 
+def test_a_second_cause_that_matters_by_itself_is_sought_however_little_of_the_gap_it_makes() -> None:
+    imperfections = Imperfections(tilt_rad=(0.15, -0.1), drift_n=0.6)
+    recording = record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(0), imperfections)
+    evidence = gather(Windows(basis_of(recording)), few("base_tilt", "sensor_drift", "time_delay"), one_by_one)
+    (tilt,) = (fit for fit in evidence.singles if fit.name == "base_tilt")
+    assert find_left_share(evidence.nominal, tilt) < ONE_IS_ENOUGH
+    assert evidence.best.name == "base_tilt+sensor_drift"
+
+
 def test_a_richer_shape_is_sought_although_four_other_effects_explain_more_than_the_plain_one() -> None:
     names = ("time_delay", "external_contact", "sensor_offset_step", "sensor_creep", "sensor_lowpass")
     effects = [effect for effect in library() if effect.id in names]
     evidence = gather(Windows(basis_of(plant_trial(RUNS_OFF).recording)), effects, one_by_one)
     (effect,) = evidence.best.effects
     assert isinstance(effect, DelayThatGrows)
-    assert evidence.verdict == "explained"
+    assert evidence.attribution.explained[0][1] > EXPLAINED
 
 
 @pytest.mark.parametrize("id_", ["sensor_gain", "time_delay"])

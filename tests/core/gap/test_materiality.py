@@ -12,7 +12,7 @@ from core.effects.library import library
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
-from core.gap.materiality import find_moved_parameters, is_doubtful, is_material
+from core.gap.materiality import find_margins, is_doubtful, is_material
 from core.payload.inertia import InertialParameters
 from core.plant.mechanics import Drives
 from core.recording.recording import Recording
@@ -60,8 +60,8 @@ def windows_of(reference: np.ndarray | None = None, newtons_per_kg: float = 0.0)
     return SimpleNamespace(X=X, samples_per_row=SAMPLES, basis=SimpleNamespace(reference=reference))
 
 
-def fit_of(phi: np.ndarray, *, std: np.ndarray | None = None, held_out: float = 1.0) -> SimpleNamespace:
-    """A fit with one effect that leaves the same chi-square in every row."""
+def fit_of(phi: np.ndarray, *, std: np.ndarray | None = None, held_out: float = 2.0) -> SimpleNamespace:
+    """A fit with one effect that leaves the same chi-square in every row: a gap of 1.02, as long as nothing else is said."""
     return SimpleNamespace(
         phi=phi, phi_std=1e-9 * np.ones(10) if std is None else std, held_out=np.full((6, 40), held_out), effects=("one",)
     )
@@ -80,7 +80,7 @@ def test_a_payload_has_moved_from_a_hundredth_of_mass_and_first_moment_and_three
     for share, moved in ((0.98, False), (1.02, True)):
         change = sign * share * limit * np.eye(10)[k]
         nominal, best = fit_of(PHI - change), fit_of(PHI)
-        assert find_moved_parameters(nominal, best).tolist() == [moved and i == k for i in range(10)]  # type: ignore[arg-type]  # all that is read
+        assert find_margins(windows_of(), nominal, best).moved == pytest.approx(share)  # type: ignore[arg-type]  # all that is read
         assert is_material(windows_of(), nominal, best) is moved  # type: ignore[arg-type]  # all that is read
 
 
@@ -89,6 +89,18 @@ def test_a_payload_has_moved_only_beyond_twice_its_standard_uncertainty() -> Non
     for std, moved in ((0.102, False), (0.098, True)):
         best = fit_of(PHI, std=np.full(10, std))
         assert is_material(windows_of(), fit_of(PHI - change), best) is moved  # type: ignore[arg-type]  # all that is read
+
+
+def test_what_hides_behind_the_noise_moves_no_payload() -> None:
+    for gap, material in ((1.008, False), (1.012, True)):
+        nominal = fit_of(PHI - 0.2 * np.eye(10)[0], held_out=1.0 + SAMPLES * (gap**2 - 1.0))
+        assert is_material(windows_of(), nominal, fit_of(PHI)) is material  # type: ignore[arg-type]  # all that is read
+
+
+def test_a_reference_that_the_estimate_agrees_with_counts_more_than_what_an_explanation_moves() -> None:
+    nominal, best = fit_of(PHI), fit_of(PHI + 0.2 * np.eye(10)[0])
+    assert is_material(windows_of(), nominal, best)  # type: ignore[arg-type]  # all that is read
+    assert not is_material(windows_of(PHI), nominal, best)  # type: ignore[arg-type]  # all that is read
 
 
 def test_a_gap_matters_from_twice_the_noise_of_a_sample_on() -> None:

@@ -32,7 +32,7 @@ def found(none: float, *explained: tuple[EffectFit, float], material: bool = Tru
     unknown = 1.0 - none - sum(p for _, p in explained)
     attribution = Attribution(none, unknown, explained, (), 0.0)
     evidence = Evidence(None, nominal, tuple(each for each, _ in explained), (), attribution, ())  # type: ignore[arg-type]  # none are read
-    evidence.__dict__["material"] = material
+    evidence.__dict__["mattering"] = float(material)
     return evidence
 
 
