@@ -111,14 +111,14 @@ class Arm:
         self.joined = {frozenset((joint.parent, link)) for link, joint in joints.items()}
         """Pairs of links with a joint between them."""
         self.bodies: list[Body] = []
-        self._inertia = [NOTHING] * (len(self.moving) + 1)
+        self.inertia = [NOTHING] * (len(self.moving) + 1)
         for element in root.findall("link"):
             name = element.get("name", "")
             number, T = where[name]
             for collision in element.findall("collision"):
                 self.bodies.append(_body(collision, name, number, T, folder))
             if name not in self.behind:
-                self._inertia[number] = self._inertia[number] + _inertia(element.find("inertial")).moved(T)
+                self.inertia[number] = self.inertia[number] + _inertia(element.find("inertial")).moved(T)
         self.sensor = where[sensor_frame][1]
         """(4, 4), the sensor frame in that of the last group."""
 
@@ -158,7 +158,7 @@ class Arm:
             payload: about the sensor frame.
         """
         frames = self.frames(q)
-        inertia = [*self._inertia[:-1], self._inertia[-1] + payload.moved(self.sensor)]
+        inertia = [*self.inertia[:-1], self.inertia[-1] + payload.moved(self.sensor)]
         R, p = frames[:, 1:, :3, :3], frames[:, 1:, :3, 3]
         axes = np.stack([R[:, k] @ unit for k, unit in enumerate(self._axes)], axis=1)
         force, moment = np.zeros_like(p), np.zeros_like(p)  # each about the origin of its own group

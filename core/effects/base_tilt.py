@@ -25,23 +25,23 @@ class BaseTilt(Effect):
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Two angles, rad, about the base axes that lie most across gravity; 0 is level."""
-        return tuple(Parameter(f"about_{'xyz'[i]}_rad", "rad", 0.0, -0.2, 0.2, 0.015) for i in _axes(scene))
+        return tuple(Parameter(f"about_{'xyz'[i]}_rad", "rad", 0.0, -0.2, 0.2, 0.015) for i in find_level_axes(scene))
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` less `m dg` and `mc x dg`, dg the change of gravity in sensor axes."""
         vector = np.zeros(3)
-        vector[_axes(scene)] = theta
+        vector[find_level_axes(scene)] = theta
         dg = (rotation_of(vector) @ scene.gravity - scene.gravity) @ scene.rotation
         return np.asarray(w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)]))
 
     def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises levelling the base by the very angles that are fitted: turning it so takes true gravity to where it is believed to be."""
-        i, j = _axes(scene)
+        i, j = find_level_axes(scene)
         a, b = theta
         return Message.of("advice-base-tilt", first_rad=a, first_axis="xyz"[i], second_rad=b, second_axis="xyz"[j])
 
 
-def _axes(scene: Scene) -> list[int]:
+def find_level_axes(scene: Scene) -> list[int]:
     """The two base axes most across gravity."""
     along = int(np.argmax(np.abs(scene.gravity)))
     return [i for i in range(3) if i != along]

@@ -68,6 +68,7 @@ PIECES = {
     "kept": Message.of("effect-parameter-kept"),
     "knee": Message.of("effect-parameter-knee"),
     "lag": Message.of("effect-parameter-lag"),
+    "lean": Message.of("effect-parameter-lean"),
     "lost": Message.of("effect-parameter-lost"),
     "lower_limit": Message.of("effect-parameter-lower-limit"),
     "mass": Message.of("effect-parameter-mass"),

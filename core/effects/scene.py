@@ -15,7 +15,10 @@ from core.effects.memory import Memory, Past
 from core.payload.inertia import Motion, spatial_inertia
 from core.payload.rigid_wrench import wrench
 
-PER_ROW = ("t", "phase", "motion", "rotation", "position", "q", "dq", "jacobian", "torque", "link_inertia", "link_torque", "temperature")
+PER_ROW = (
+    *("t", "phase", "motion", "rotation", "position", "q", "dq", "jacobian", "torque"),
+    *("link_inertia", "link_torque", "link_moment", "temperature"),
+)
 
 
 @dataclass(frozen=True)
@@ -35,6 +38,7 @@ class Scene:
         torque: (N, n), measured joint torques, N m; None where there are none.
         link_inertia: (N, n, n), of the arm without payload in joint coordinates, kg m2; None where its masses are not known.
         link_torque: (N, n), that the arm without payload asks of its joints, N m; None likewise.
+        link_moment: (N, 3), first moment of the arm's masses about the base's origin, base frame, kg m; None likewise.
         temperature: (N,), degC, None where not recorded.
         range, resolution: (6,), of the sensor, None where unknown.
         noise: (6,), standard deviation of the wrench's noise, N and N m; None where unknown.
@@ -59,6 +63,7 @@ class Scene:
     torque: Array | None = None
     link_inertia: Array | None = None
     link_torque: Array | None = None
+    link_moment: Array | None = None
     temperature: Array | None = None
     range: Array | None = None
     resolution: Array | None = None

@@ -16,7 +16,7 @@ from core.recording.recording import Recording
 from core.robot.dynamics import LinkDynamics, has_masses
 from core.robot.model import RobotModel
 
-Links = tuple[Array, Array] | tuple[None, None]
+Links = tuple[Array, Array, Array] | tuple[None, None, None]
 SMOOTHING_S = 0.036
 """Of the joints' accelerations."""
 
@@ -26,7 +26,7 @@ def scene_of(recording: Recording, poses: Poses, motion: Motion, segments: tuple
     rows = np.clip(np.searchsorted(poses.t, t - 0.5 * poses.period), 0, len(poses.t) - 1)
     phase = np.concatenate([np.full(part.stop - part.start, part.phase) for part in segments])
     robot = None if recording.robot is None else RobotModel(recording.robot)
-    links = (None, None) if robot is None else link_dynamics(recording, robot, rows)
+    links = (None, None, None) if robot is None else link_dynamics(recording, robot, rows)
     scene = _scene_at(recording, poses, motion, t, rows, robot, links)
     return replace(scene, phase=phase[rows], dq=None if scene.q is None else np.gradient(scene.q, t, axis=0))
 
@@ -34,11 +34,11 @@ def scene_of(recording: Recording, poses: Poses, motion: Motion, segments: tuple
 def scene_of_poses(recording: Recording, poses: Poses, phase: NDArray[np.str_], rows: NDArray[np.intp]) -> Scene:
     """Poses by themselves: some rows of a recording, each motionless, with a label for each."""
     robot = None if recording.robot is None else RobotModel(recording.robot)
-    links: Links = (None, None)
+    links: Links = (None, None, None)
     if recording.q is not None and robot is not None and has_masses(robot):
         q = recording.q[rows]
         model = LinkDynamics(robot, recording.gravity)
-        links = model.inertia(q), model.torque(q, np.zeros_like(q), np.zeros_like(q))
+        links = model.inertia(q), model.torque(q, np.zeros_like(q), np.zeros_like(q)), model.first_moment(q)
     scene = _scene_at(recording, poses, Motion.still(poses.g[rows]), poses.t[rows], rows, robot, links)
     return replace(scene, phase=phase, dq=None if scene.q is None else np.zeros_like(scene.q), apart=True)
 
@@ -47,7 +47,7 @@ def _scene_at(
     recording: Recording, poses: Poses, motion: Motion, t: Array, rows: NDArray[np.intp], robot: RobotModel | None, links: Links
 ) -> Scene:
     """What the rows of a recording say by themselves."""
-    q, (link_inertia, link_torque) = None if recording.q is None else recording.q[rows], links
+    q, (link_inertia, link_torque, link_moment) = None if recording.q is None else recording.q[rows], links
     return Scene(
         t=t,
         phase=np.full(len(t), ""),
@@ -61,6 +61,7 @@ def _scene_at(
         torque=None if recording.tau is None else recording.tau[rows],
         link_inertia=link_inertia,
         link_torque=link_torque,
+        link_moment=link_moment,
         temperature=None if recording.temperature is None else recording.temperature[rows],
         range=recording.sensor.range,
         resolution=recording.sensor.resolution,
@@ -68,9 +69,10 @@ def _scene_at(
 
 
 def link_dynamics(recording: Recording, robot: RobotModel, rows: NDArray[np.intp]) -> Links:
-    """Inertia (N, n, n) and torque (N, n) of the arm without payload in some rows; None where its masses are not known."""
+    """Inertia (N, n, n), torque (N, n) and first moment (N, 3) of the arm without payload in some rows; None where its masses are not
+    known."""
     if recording.q is None or not has_masses(robot):
-        return None, None
+        return None, None, None
     q, dq, ddq = (local_derivative(recording.q, order, recording.t, window_s=SMOOTHING_S)[rows] for order in range(3))
     links = LinkDynamics(robot, recording.gravity)
-    return links.inertia(q), links.torque(q, dq, ddq)
+    return links.inertia(q), links.torque(q, dq, ddq), links.first_moment(q)

@@ -69,6 +69,7 @@ CODES = {
     "kept": "report-of-kept",
     "knee": "report-of-knee",
     "lag": "report-of-lag",
+    "lean": "report-of-lean",
     "lost": "report-of-lost",
     "lower_limit": "report-of-lower-limit",
     "mass": "report-of-mass",

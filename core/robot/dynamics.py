@@ -43,6 +43,13 @@ class LinkDynamics:
             found[k] = pin.rnea(self._model, self._data, *row)
         return found
 
+    def first_moment(self, q: Array) -> Array:
+        """(N, 3), kg m, mass times centre of mass of all that moves, in the frame of the robot model's poses, at each row of q (N, n)."""
+        found, mass = np.empty((len(q), 3)), pin.computeTotalMass(self._model)
+        for k, row in enumerate(q):
+            found[k] = mass * pin.centerOfMass(self._model, self._data, row)
+        return found
+
 
 def has_masses(robot: RobotModel) -> bool:
     """Whether the URDF states any mass."""

@@ -115,6 +115,7 @@ effect-parameter-jump = Sprung
 effect-parameter-knot = Stützstelle
 effect-parameter-knee = Knick
 effect-parameter-lag = Nachlauf
+effect-parameter-lean = Nachgeben der Basis
 effect-parameter-lost = verloren
 effect-parameter-lower-limit = untere Grenze
 effect-parameter-mass = Masse

@@ -341,6 +341,7 @@ report-of-hot = Nullpunkt in der Wärme
 report-of-kept = bleibender Anteil
 report-of-knee = Knick
 report-of-lag = Nachlauf
+report-of-lean = Nachgeben der Basis
 report-of-lost = verloren
 report-of-lower-limit = untere Grenze
 report-of-mass = Masse

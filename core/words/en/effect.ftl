@@ -115,6 +115,7 @@ effect-parameter-jump = jump
 effect-parameter-knot = knot
 effect-parameter-knee = knee
 effect-parameter-lag = lag
+effect-parameter-lean = lean
 effect-parameter-lost = lost
 effect-parameter-lower-limit = lower limit
 effect-parameter-mass = mass

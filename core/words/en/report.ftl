@@ -343,6 +343,7 @@ report-of-hot = offset when hot
 report-of-kept = kept
 report-of-knee = knee
 report-of-lag = lag
+report-of-lean = lean
 report-of-lost = lost
 report-of-lower-limit = lower limit
 report-of-mass = mass

@@ -49,6 +49,7 @@ def scene(*, rate: float = 100.0, seconds: float = 16.0, seed: int = 1) -> Scene
         q=q,
         dq=dq,
         jacobian=jacobian,
+        link_moment=8.0 * (0.5 * position + [0.0, 0.0, 0.2]),
         temperature=22.0 + 3.0 * (1 - np.exp(-t / 8.0)),
         range=RANGE,
         resolution=RESOLUTION,

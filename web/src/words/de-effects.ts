@@ -93,6 +93,7 @@ export const deEffects: typeof enEffects = {
     kept: 'bleibender Anteil',
     knee: 'Knick',
     lag: 'Nachlauf',
+    lean: 'Nachgeben der Basis',
     lost: 'verloren',
     lower_limit: 'untere Grenze',
     mass: 'Masse',

@@ -1,0 +1,60 @@
+"""The base leans as the arm moves: a cart on rubber feet, a thin plate, a slender column."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from core.array import Array
+from core.effects.base_tilt import BaseTilt, find_level_axes
+from core.effects.effect import Parameter
+from core.effects.scene import Scene
+from core.payload.rotations import cross
+from core.words.message import Message
+
+START_RAD_PER_NM = 5e-5
+"""A stiffness of 20 kN m/rad."""
+
+
+class BaseThatLeans(BaseTilt):
+    """`BaseTilt` by `(a, b) - (c_a dM_a, c_b dM_b)`, dM how the moment of the weights of arm and payload about the base's origin has changed
+    since the first row: the base turns with the moment, true gravity against it. What the arm's accelerations add is left out.
+    """
+
+    wider_shape = True
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """The two angles of the tilt in the first row, rad, then the compliance about the same axes, rad/(N m)."""
+        lean = (Parameter(f"lean_{'xyz'[i]}_rad_per_nm", "rad/(N m)", 0.0, 0.0, 2e-3, 5e-5) for i in find_level_axes(scene))
+        return (*super().parameters(scene), *lean)
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """`w` less `m dg` and `mc x dg`, dg the change of gravity in sensor axes, row by row."""
+        axes, vectors = find_level_axes(scene), np.zeros((len(scene), 3))
+        moment = find_moment(scene)[:, axes]
+        vectors[:, axes] = theta[:2] - theta[2:] * (moment - moment[0])
+        dg = np.einsum("nj,nji->ni", Rotation.from_rotvec(vectors).apply(scene.gravity) - scene.gravity, scene.rotation)
+        return np.asarray(w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)]))
+
+    def explain_tie_to_run(self, scene: Scene) -> Message | None:
+        """Twins keep the base as it stands on the mean."""
+        return Message.of("effect-shape-of-run")
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """Level, and leaning as on rubber; nothing where the masses of the arm or its place are not known."""
+        if scene.position is None or scene.link_moment is None:
+            return []
+        return [np.array([0.0, 0.0, START_RAD_PER_NM, START_RAD_PER_NM])]
+
+    def advice(self, scene: Scene, theta: Array) -> Message:
+        """Advises fastening the base, with the most that it leans in the run to and fro, deg, then levelling it."""
+        angles = theta[2:] * np.ptp(find_moment(scene)[:, find_level_axes(scene)], axis=0)
+        return Message.of("advice-base-tilt-leans", lean_rad=float(angles.max()))
+
+
+def find_moment(scene: Scene) -> Array:
+    """(N, 3), N m, of the weights of arm and payload about the base's origin, base axes."""
+    if scene.position is None or scene.link_moment is None:
+        raise ValueError("the moment on the base needs positions and the arm's masses (see BaseThatLeans.starts)")
+    carried = scene.phi[0] * scene.position + scene.rotation @ scene.phi[1:4]
+    return np.asarray(np.cross(scene.link_moment + carried, scene.gravity))
