@@ -17,8 +17,8 @@ START_RAD_PER_NM = 5e-5
 
 
 class BaseThatLeans(BaseTilt):
-    """`BaseTilt` by `(a, b) - (c_a dM_a, c_b dM_b)`, dM how the moment of the weights of arm and payload about the base's origin has changed
-    since the first row: the base turns with the moment, true gravity against it. What the arm's accelerations add is left out.
+    """`BaseTilt` by `(a, b) - (c_a dM_a, c_b dM_b)`: the base turns with the moment M of the weights of arm and payload about its origin,
+    true gravity against it. dM is how M has changed since the first row; what the arm's accelerations add is left out.
     """
 
     wider_shape = True
