@@ -36,13 +36,19 @@ class BaseThatLeans(BaseTilt):
         dg = np.einsum("nj,nji->ni", Rotation.from_rotvec(vectors).apply(scene.gravity) - scene.gravity, scene.rotation)
         return np.asarray(w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)]))
 
+    def explain_lack(self, scene: Scene) -> Message | None:
+        """A reason where it is not known what weighs on the base, and where."""
+        if scene.position is None:
+            return Message.of("effect-no-position")
+        return Message.of("effect-no-masses") if scene.link_moment is None else None
+
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """Twins keep the base as it stands on the mean."""
         return Message.of("effect-shape-of-run")
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Level, and leaning as on rubber; nothing where the masses of the arm or its place are not known."""
-        if scene.position is None or scene.link_moment is None:
+        if self.explain_lack(scene) is not None:
             return []
         return [np.array([0.0, 0.0, START_RAD_PER_NM, START_RAD_PER_NM])]
 
@@ -55,6 +61,6 @@ class BaseThatLeans(BaseTilt):
 def find_moment(scene: Scene) -> Array:
     """(N, 3), N m, of the weights of arm and payload about the base's origin, base axes."""
     if scene.position is None or scene.link_moment is None:
-        raise ValueError("the moment on the base needs positions and the arm's masses (see BaseThatLeans.starts)")
+        raise ValueError("the moment on the base needs positions and the arm's masses (see Effect.explain_lack)")
     carried = scene.phi[0] * scene.position + scene.rotation @ scene.phi[1:4]
     return np.asarray(np.cross(scene.link_moment + carried, scene.gravity))

@@ -48,6 +48,7 @@ effect-stage-sensor = Sensor
 effect-no-joints = die Aufzeichnung enthält keine Gelenkstellungen
 effect-no-joint-moves = in dieser Aufzeichnung bewegt sich kein Gelenk
 effect-no-load-reverses = an keinem Gelenk wechselt die Last die Seite: Spiel sieht dann aus wie ein verschobener Nullpunkt des Gebers
+effect-no-masses = die Massen des Arms sind nicht bekannt
 effect-no-position = die Aufzeichnung sagt nicht, wo der Sensor ist
 effect-one-place = der Sensor bleibt an einem Ort
 effect-nothing-turns = in dieser Aufzeichnung dreht sich nichts: im Stillstand zeigt sich nicht, wo der Ursprung des Sensors liegt

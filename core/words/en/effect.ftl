@@ -48,6 +48,7 @@ effect-stage-sensor = sensor
 effect-no-joints = the recording has no joint positions
 effect-no-joint-moves = no joint moves in this recording
 effect-no-load-reverses = no joint's load changes its side: play looks like an offset of the encoder
+effect-no-masses = the masses of the arm are not known
 effect-no-position = the recording does not say where the sensor is
 effect-one-place = the sensor stays in one place
 effect-nothing-turns = nothing turns in this recording: the place of the sensor's origin does not show at rest

@@ -1,0 +1,37 @@
+"""The diagnosis of a recording's folder; the only file here that knows what is tried."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+from threadpoolctl import threadpool_limits
+
+from bench.stranger.answer import Answer
+from core.gap.diagnosis import examine
+from core.gap.fit_all import one_by_one
+from core.recording.folder import read_recording
+
+FIRST_EFFECTS, FIRST_PAIRS = 6, 4
+"""So many are kept."""
+
+
+def diagnose(folder: Path) -> Answer:
+    """On one core."""
+    began = time.process_time()
+    with threadpool_limits(1):
+        found, _ = examine(read_recording(folder), fit_all=one_by_one)
+    return Answer(
+        case=folder.name,
+        verdict=found.verdict,
+        summary=str(found.summary)[:300],
+        gap=None if found.gap is None else (found.gap.before, found.gap.after),
+        none=found.none_probability,
+        unknown=found.unknown_probability,
+        effects=tuple((each.id, each.probability, each.closure) for each in found.effects[:FIRST_EFFECTS]),
+        pairs=tuple((each.ids, each.probability, each.closure) for each in found.pairs[:FIRST_PAIRS]),
+        also=tuple((each.id, each.material) for each in found.also),
+        minor=tuple(each.id for each in found.minor),
+        tied=tuple(each.ids for each in found.indistinguishable),
+        cpu=round(time.process_time() - began, 1),
+    )
