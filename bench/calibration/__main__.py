@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from concurrent.futures import as_completed
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -21,6 +20,7 @@ from bench.calibration.learning import can_teach, learn, predict_left_out, stack
 from bench.calibration.mattering import learn_mattering
 from bench.calibration.scores import HEADER, find_coverage, find_outside, score
 from bench.calibration.trial import Trial, run_trial
+from bench.json_lines import append_results, read_results
 from core.gap.weighing import FILE, Figures, Provenance
 from core.trial.batch import on_cluster, on_cores
 
@@ -28,25 +28,10 @@ FEWEST = 2
 """Trials that have to teach something: each is tried on what was learnt from the others."""
 
 
-def read_trials(path: Path) -> list[Trial]:
-    """Those of earlier runs; a last line that was cut off is left out."""
-    lines = path.read_text().splitlines() if path.exists() else []
-    return [Trial.model_validate_json(line) for line in lines if line.endswith("}")]
-
-
 def run_trials(path: Path, seeds: list[int], workers: int, dask: str | None) -> None:
     """Appends a line for each trial as it ends."""
-    with on_cores(workers) if dask is None else on_cluster(dask) as executor, path.open("a") as file:
-        if path.exists() and path.stat().st_size and not path.read_bytes().endswith(b"\n"):
-            file.write("\n")
-        for future in as_completed({executor.submit(run_trial, seed) for seed in seeds}):
-            error = future.exception()
-            if error is not None:
-                print(f"a trial failed: {error!r}", file=sys.stderr, flush=True)
-                continue
-            trial = future.result()
-            file.write(trial.model_dump_json() + "\n")
-            file.flush()
+    with on_cores(workers) if dask is None else on_cluster(dask) as executor:
+        for trial in append_results(path, {executor.submit(run_trial, seed): seed for seed in seeds}):
             print(f"{trial.seed}: {trial.truth} {' '.join(trial.variants)}, gap {trial.gap:.2f}, {trial.seconds:.0f} s", flush=True)
 
 
@@ -91,10 +76,10 @@ def main() -> None:
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     path = arguments.folder / "trials.jsonl"
-    done = {trial.seed for trial in read_trials(path)}
+    done = {trial.seed for trial in read_results(path, Trial)}
     wanted = [seed for seed in range(arguments.first, arguments.first + arguments.count) if seed not in done]
     run_trials(path, wanted, arguments.workers, arguments.dask)
-    trials = read_trials(path)
+    trials = read_results(path, Trial)
     if sum(can_teach(trial) for trial in trials) < FEWEST:
         sys.exit(f"{len(trials)} trials, of which {sum(can_teach(trial) for trial in trials)} teach anything: at least {FEWEST} have to")
     figures = learn_figures(trials)

@@ -12,16 +12,17 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Iterable, Iterator
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from multiprocessing import get_context
+from collections.abc import Iterable
+from concurrent.futures import Executor, as_completed
 from pathlib import Path
 
+from bench.json_lines import append_results, read_results
 from bench.stranger.answer import Answer
 from bench.stranger.diagnosing import diagnose
 from bench.stranger.making import Truth, make_case
 from bench.stranger.plan import Case, list_cases
 from bench.stranger.score import Planted, print_score
+from core.trial.batch import on_cores
 
 
 def choose_cases(only: str | None) -> list[Case]:
@@ -46,7 +47,7 @@ def read_truths(folder: Path) -> dict[str, Truth]:
     return json.loads(path.read_text()) if path.exists() else {}
 
 
-def make_missing(folder: Path, cases: Iterable[Case], pool: ProcessPoolExecutor) -> None:
+def make_missing(folder: Path, cases: Iterable[Case], pool: Executor) -> None:
     """Writes recordings, and the truth about each after it."""
     truths = read_truths(folder)
     missing = [case for case in cases if case.number not in truths or not _find_recording(folder, case).exists()]
@@ -64,29 +65,13 @@ def _find_recording(folder: Path, case: Case) -> Path:
     return folder / "recordings" / case.number
 
 
-def read_answers(path: Path) -> Iterator[Answer]:
-    """Those of earlier runs; a last line that was cut off is left out."""
-    lines = path.read_text().splitlines() if path.exists() else []
-    return (Answer.model_validate_json(line) for line in lines if line.endswith("}"))
-
-
-def diagnose_missing(folder: Path, cases: Iterable[Case], pool: ProcessPoolExecutor) -> None:
+def diagnose_missing(folder: Path, cases: Iterable[Case], pool: Executor) -> None:
     """Appends a line for each as it ends."""
     path = folder / "diagnoses.jsonl"
-    done = {answer.case for answer in read_answers(path)}
-    asked = {pool.submit(diagnose, _find_recording(folder, case)): case for case in cases if case.number not in done}
-    with path.open("a") as file:
-        if path.stat().st_size and not path.read_bytes().endswith(b"\n"):
-            file.write("\n")
-        for future in as_completed(asked):
-            error = future.exception()
-            if error is not None:
-                print(f"{asked[future].number} failed: {error!r}", file=sys.stderr, flush=True)
-                continue
-            answer = future.result()
-            file.write(answer.model_dump_json() + "\n")
-            file.flush()
-            print(f"{answer.case} {answer.named}, {answer.cpu:.0f} s", flush=True)
+    done = {answer.case for answer in read_results(path, Answer)}
+    asked = {pool.submit(diagnose, _find_recording(folder, case)): case.number for case in cases if case.number not in done}
+    for answer in append_results(path, asked):
+        print(f"{answer.case} {answer.named}, {answer.cpu:.0f} s", flush=True)
 
 
 def main() -> None:
@@ -99,12 +84,12 @@ def main() -> None:
     folder: Path = arguments.folder
     folder.mkdir(parents=True, exist_ok=True)
     cases = choose_cases(arguments.only)
-    with ProcessPoolExecutor(arguments.processes, mp_context=get_context("spawn")) as pool:
+    with on_cores(arguments.processes) as pool:
         make_missing(folder, cases, pool)
         diagnose_missing(folder, cases, pool)
     numbers = {case.number for case in cases}
     truths = {number: Planted.model_validate(truth) for number, truth in read_truths(folder).items()}
-    answers = {answer.case: answer for answer in read_answers(folder / "diagnoses.jsonl") if answer.case in numbers}
+    answers = {answer.case: answer for answer in read_results(folder / "diagnoses.jsonl", Answer) if answer.case in numbers}
     print_score(truths, answers)
 
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from core.array import Array
-from core.effects.base_tilt import BaseTilt, find_level_axes
+from core.effects.base_tilt import BaseTilt, change_gravity, find_level_axes
 from core.effects.effect import Parameter
 from core.effects.scene import Scene
-from core.payload.rotations import cross
+from core.payload.rotations import rotate_by
 from core.words.message import Message
 
 START_RAD_PER_NM = 5e-5
@@ -33,8 +32,7 @@ class BaseThatLeans(BaseTilt):
         axes, vectors = find_level_axes(scene), np.zeros((len(scene), 3))
         moment = find_moment(scene)[:, axes]
         vectors[:, axes] = theta[:2] - theta[2:] * (moment - moment[0])
-        dg = np.einsum("nj,nji->ni", Rotation.from_rotvec(vectors).apply(scene.gravity) - scene.gravity, scene.rotation)
-        return np.asarray(w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)]))
+        return change_gravity(scene, w, np.einsum("nj,nji->ni", rotate_by(vectors, scene.gravity) - scene.gravity, scene.rotation))
 
     def explain_lack(self, scene: Scene) -> Message | None:
         """A reason where it is not known what weighs on the base, and where."""

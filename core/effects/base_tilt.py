@@ -31,14 +31,18 @@ class BaseTilt(Effect):
         """`w` less `m dg` and `mc x dg`, dg the change of gravity in sensor axes."""
         vector = np.zeros(3)
         vector[find_level_axes(scene)] = theta
-        dg = (rotation_of(vector) @ scene.gravity - scene.gravity) @ scene.rotation
-        return np.asarray(w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)]))
+        return change_gravity(scene, w, (rotation_of(vector) @ scene.gravity - scene.gravity) @ scene.rotation)
 
     def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises levelling the base by the very angles that are fitted: turning it so takes true gravity to where it is believed to be."""
         i, j = find_level_axes(scene)
         a, b = theta
         return Message.of("advice-base-tilt", first_rad=a, first_axis="xyz"[i], second_rad=b, second_axis="xyz"[j])
+
+
+def change_gravity(scene: Scene, w: Array, dg: Array) -> Array:
+    """`w` less `m dg` and `mc x dg`, dg (N, 3) the change of gravity in sensor axes, m/s2."""
+    return np.asarray(w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)]))
 
 
 def find_level_axes(scene: Scene) -> list[int]:

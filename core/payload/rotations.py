@@ -31,6 +31,12 @@ def rotation_of(vector: Array) -> Array:
     return np.asarray(np.eye(3) + np.sinc(angle / np.pi) * K + 0.5 * np.sinc(0.5 * angle / np.pi) ** 2 * (K @ K))
 
 
+def rotate_by(vectors: Array, x: Array) -> Array:
+    """(N, 3), the vector x (3,) rotated by each rotation vector (N, 3), rad, as `rotation_of` does."""
+    angle, across = np.linalg.norm(vectors, axis=1, keepdims=True), cross(vectors, x)
+    return np.asarray(x + np.sinc(angle / np.pi) * across + 0.5 * np.sinc(0.5 * angle / np.pi) ** 2 * cross(vectors, across))
+
+
 def rotation_of_rpy(rpy: Array) -> Array:
     """(3, 3), of roll, pitch and yaw (3,), rad: Rz Ry Rx."""
     (cr, cp, cy), (sr, sp, sy) = np.cos(rpy), np.sin(rpy)

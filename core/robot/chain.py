@@ -114,6 +114,20 @@ def _jacobian_many(placements: Array, axes: Array, q: Array) -> Array:
     return J
 
 
+@njit(cache=True)
+def _first_moment_many(placements: Array, axes: Array, masses: Array, firsts: Array, q: Array) -> Array:
+    n = len(axes)
+    total = np.zeros((len(q), 3))
+    R = np.empty((n + 1, 3, 3))
+    p = np.empty((n + 1, 3))
+    for k in range(len(q)):
+        joint_frames(placements, axes, q[k], R, p)
+        for j in range(n):
+            for r in range(3):
+                total[k, r] += masses[j] * p[j, r] + R[j, r, 0] * firsts[j, 0] + R[j, r, 1] * firsts[j, 1] + R[j, r, 2] * firsts[j, 2]
+    return total
+
+
 def forward(chain: Chain, q: Array) -> Array:
     """(4, 4) sensor frame in the world at q (n,)."""
     return np.asarray(_forward(chain.placements, chain.axes, q))
@@ -132,3 +146,8 @@ def jacobian(chain: Chain, q: Array) -> Array:
 def jacobian_many(chain: Chain, q: Array) -> Array:
     """(N, 6, n) Jacobians as of `jacobian` at q (N, n)."""
     return np.asarray(_jacobian_many(chain.placements, chain.axes, q))
+
+
+def first_moment_many(chain: Chain, masses: Array, firsts: Array, q: Array) -> Array:
+    """(N, 3), kg m, first moment in the world at q (N, n) of bodies (n,), kg, whose own ones are (n, 3), kg m, in their joints' frames."""
+    return np.asarray(_first_moment_many(chain.placements, chain.axes, masses, firsts, q))

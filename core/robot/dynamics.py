@@ -7,6 +7,7 @@ import pinocchio as pin
 
 from core.array import Array
 from core.payload.inertia import PINOCCHIO_ORDER, InertialParameters
+from core.robot.chain import first_moment_many
 from core.robot.model import RobotModel
 
 
@@ -27,6 +28,7 @@ class LinkDynamics:
             carried = pin.Inertia.FromDynamicParameters(load.phi[PINOCCHIO_ORDER])
             self._model.inertias[sensor.parentJoint] += sensor.placement.act(carried)
         self._data = self._model.createData()
+        self._chain = robot.chain
 
     def inertia(self, q: Array) -> Array:
         """(N, n, n), in joint coordinates, kg m2, at each row of q (N, n)."""
@@ -45,10 +47,10 @@ class LinkDynamics:
 
     def first_moment(self, q: Array) -> Array:
         """(N, 3), kg m, mass times centre of mass of all that moves, in the frame of the robot model's poses, at each row of q (N, n)."""
-        found, mass = np.empty((len(q), 3)), pin.computeTotalMass(self._model)
-        for k, row in enumerate(q):
-            found[k] = mass * pin.centerOfMass(self._model, self._data, row)
-        return found
+        bodies = self._model.inertias[1:]
+        masses = np.array([body.mass for body in bodies])
+        firsts = np.array([body.mass * body.lever for body in bodies])
+        return first_moment_many(self._chain, masses, firsts, np.ascontiguousarray(q, dtype=float))
 
 
 def has_masses(robot: RobotModel) -> bool:

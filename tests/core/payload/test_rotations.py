@@ -7,7 +7,7 @@ import pinocchio as pin
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.payload.rotations import cross, rotation_of, rotation_of_rpy, skew
+from core.payload.rotations import cross, rotate_by, rotation_of, rotation_of_rpy, skew
 
 vectors = st.lists(st.floats(-3.0, 3.0), min_size=3, max_size=3).map(np.array)
 
@@ -26,3 +26,9 @@ def test_roll_pitch_and_yaw_turn_as_pinocchio_turns_them(rpy: np.ndarray) -> Non
 def test_cross_products_are_numpys(u: np.ndarray, v: np.ndarray) -> None:
     np.testing.assert_allclose(cross(u, v), np.cross(u, v), atol=1e-13)
     np.testing.assert_allclose(skew(u) @ v, np.cross(u, v), atol=1e-13)
+
+
+def test_many_turns_are_each_turn() -> None:
+    rng = np.random.default_rng(3)
+    vectors, x = np.vstack((np.zeros(3), rng.normal(size=(20, 3)))), rng.normal(size=3)
+    np.testing.assert_allclose(rotate_by(vectors, x), [rotation_of(vector) @ x for vector in vectors], atol=1e-13)

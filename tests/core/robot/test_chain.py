@@ -14,6 +14,7 @@ from scipy.spatial.transform import Rotation
 
 from core.cell.folder import load_cell
 from core.robot.chain import forward, forward_many, jacobian
+from core.robot.dynamics import LinkDynamics
 from core.robot.model import RobotModel
 
 CELLS = Path(__file__).parents[3] / "cells"
@@ -56,3 +57,12 @@ def test_many_poses_are_each_pose(name: str) -> None:
     poses = robot.sensor_poses(q)
     np.testing.assert_array_equal(poses.position[7], robot.sensor_pose(q[7]).position)
     np.testing.assert_array_equal(poses.rotation[7], robot.sensor_pose(q[7]).rotation)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_first_moment_of_the_links_is_pinocchios(name: str) -> None:
+    robot = robots(name)
+    q = np.random.default_rng(7).uniform(-3, 3, (20, robot.n))
+    data, mass = robot.model.createData(), pin.computeTotalMass(robot.model)
+    expected = [mass * pin.centerOfMass(robot.model, data, row) for row in q]
+    np.testing.assert_allclose(LinkDynamics(robot, np.zeros(3)).first_moment(q), expected, atol=1e-12)
