@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -75,11 +76,44 @@ def _sawtooth(t: Array, cycle: float, slip: float | Array) -> Array:
 
 def _find_growth(scene: Scene, residual: Array, late: float) -> Array | None:
     """(4,), parameters by which the delays of short pieces beyond `late`, s, each of least squares, are described best; None where they
-    explain hardly anything. What payload and offsets take up does not count."""
-    t, long_s = scene.t, float(scene.t[-1] - scene.t[0])
-    piece_s = max(BIN_S, long_s / MOST_BINS)
-    if long_s < 2 * SHORTEST * piece_s:
+    explain hardly anything."""
+    growth = _find_best_growth(scene, residual, late)
+    if growth is None or growth.explained < SIGN * growth.there:
         return None
+    cycle, slip, swing, *_ = growth
+    # the residual's unit is not known: that it comes and goes with the delay is as good a start as any
+    return np.array([late, math.copysign(max(late, LEAST_S), swing) / cycle, cycle, slip])
+
+
+def explain_by_growth(scene: Scene, residual: Array, late: float) -> float:
+    """What of a residual (N, 6), squared, a delay explains that grows evenly from slip to slip beyond `late`, s."""
+    growth = _find_best_growth(scene, residual, late)
+    return 0.0 if growth is None else growth.explained
+
+
+class _Growth(NamedTuple):
+    """From slip to slip, s, one of them, s, the swing, s, what it explains, and what was there."""
+
+    cycle: float
+    slip: float
+    swing: float
+    explained: float
+    there: float
+
+
+def _find_best_growth(scene: Scene, residual: Array, late: float) -> _Growth | None:
+    """The one that explains most; None of a run that is too short."""
+    piece_s = max(BIN_S, float(scene.t[-1] - scene.t[0]) / MOST_BINS)
+    if scene.t[-1] - scene.t[0] < 2 * SHORTEST * piece_s:
+        return None
+    along, shared, there = weigh_pieces(scene, residual, late, piece_s)
+    return _Growth(*_find_sawtooth(scene.t[0] + piece_s * np.arange(0.5, len(along)), along, shared), there)
+
+
+def weigh_pieces(scene: Scene, residual: Array, late: float, piece_s: float) -> tuple[Array, Array, float]:
+    """(n,), (n, n), what a further delay of each piece of a run explains of a residual (N, 6) that the delay `late`, s, has left, and their
+    normal matrix; and the residual's square. What payload and offsets take up does not count."""
+    t = scene.t
     rows = slice(0, None, max(1, len(scene) // ROWS))
     slope = -np.gradient(delay_signal(scene.nominal, late / scene.period), t, axis=0)
     column = smooth_by_splines(slope, scene.period, scene.residual_window)[rows] * weights(scene)
@@ -89,13 +123,7 @@ def _find_growth(scene: Scene, residual: Array, late: float) -> Array | None:
     which = ((t[rows] - t[0]) / piece_s).astype(int)
     along, alone = (np.bincount(which, x.sum(axis=1)).astype(float) for x in (column * r, column * column))
     taken = np.stack([np.bincount(which, (column * q.reshape(-1, 6)).sum(axis=1)) for q in Q.T], axis=1)
-    cycle, slip, swing, gain = _find_sawtooth(
-        t[0] + piece_s * np.arange(0.5, len(along)), along, np.asarray(np.diag(alone) - taken @ taken.T, dtype=float)
-    )
-    if gain < SIGN * float((r * r).sum()):
-        return None
-    # the residual's unit is not known: that it comes and goes with the delay is as good a start as any
-    return np.array([late, math.copysign(max(late, LEAST_S), swing) / cycle, cycle, slip])
+    return along, np.asarray(np.diag(alone) - taken @ taken.T, dtype=float), float((r * r).sum())
 
 
 def _find_sawtooth(centre: Array, along: Array, shared: Array) -> tuple[float, float, float, float]:

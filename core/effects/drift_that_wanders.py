@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 from core.array import Array
@@ -45,7 +46,7 @@ class DriftThatWanders(SensorDrift):
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Those of the drift, then the changes of six channels in each stretch, which are not shown."""
-        step = np.sqrt(_find_spacing(scene)) * STEP
+        step = np.sqrt(find_spacing(scene)) * STEP
         changes = (
             Parameter(f"knot_{k + 1}_{channel}_{suffix}", unit, 0.0, -30.0 * float(s), 30.0 * float(s), float(s), shown=False)
             for k in range(KNOTS)
@@ -56,9 +57,7 @@ class DriftThatWanders(SensorDrift):
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus drift and walk."""
         levels = np.vstack((np.zeros(6), np.cumsum(theta[-CHANGES:].reshape(-1, 6), axis=0)))
-        at = _find_spacing(scene) * np.arange(len(levels))
-        walk = np.column_stack([np.interp(scene.elapsed, at, channel) if channel.any() else np.zeros(len(scene)) for channel in levels.T])
-        return np.asarray(super().wrench(scene, w, theta[:-CHANGES]) + walk)
+        return np.asarray(_add_walk(super().wrench(scene, w, theta[:-CHANGES]), scene.elapsed / find_spacing(scene), levels))
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """It wandered so once."""
@@ -73,6 +72,18 @@ class DriftThatWanders(SensorDrift):
     def find_drift(self, scene: Scene, theta: Array) -> Array:
         """Of both together."""
         return np.asarray(super().find_drift(scene, theta[:-CHANGES]) + theta[-CHANGES:].reshape(-1, 6).sum(axis=0))
+
+
+@njit(cache=True)
+def _add_walk(w: Array, at: Array, levels: Array) -> Array:
+    """`w` (N, 6) and what lies straight between levels (n, 6) at (N,) of their numbers; the last one goes on."""
+    out = np.empty_like(w)
+    for k in range(len(w)):
+        i = min(max(int(at[k]), 0), len(levels) - 2)
+        share = min(max(at[k] - i, 0.0), 1.0)
+        for c in range(w.shape[1]):
+            out[k, c] = w[k, c] + levels[i, c] + share * (levels[i + 1, c] - levels[i, c])
+    return out
 
 
 def wanders_in_holds(scene: Scene, residual: Array) -> bool:
@@ -100,5 +111,6 @@ def _find_inside(holds: NDArray[np.bool_], lag: int) -> NDArray[np.bool_]:
     return np.asarray(total[lag + 1 :] - total[: -lag - 1] == lag + 1)
 
 
-def _find_spacing(scene: Scene) -> float:
+def find_spacing(scene: Scene) -> float:
+    """From knot to knot, s."""
     return max(KNOT_S, float(scene.t[-1] - scene.t[0]) / KNOTS)

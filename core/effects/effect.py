@@ -75,6 +75,8 @@ class Effect(ABC):
     """Whether what it does depends on the way from one pose to the next."""
     stands_alone: ClassVar[bool] = False
     """Whether it is sought by itself only: beside another its many parameters would take up whatever that leaves."""
+    last_resort: ClassVar[bool] = False
+    """Whether it is sought only where all else, also together, leaves much."""
 
     @abstractmethod
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
+from numba import njit
 
 from core.array import Array
 from core.effects.channels import SUFFIXES, expand_to_channels, say_load
@@ -58,19 +61,19 @@ class SensorSaturation(Effect):
         W = w.copy()
         for j in range(6):
             if theta[j] > NONE:
-                W[:, j] = limit_softly(W[:, j], 1 / theta[j], theta[12])
+                W[:, j] = limit_softly(W[:, j], 1 / theta[j], theta[12] / theta[j])
             if theta[6 + j] > NONE:
-                W[:, j] = -limit_softly(-W[:, j], 1 / theta[6 + j], theta[12])
+                W[:, j] = -limit_softly(-W[:, j], 1 / theta[6 + j], theta[12] / theta[6 + j])
         return W
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The limits whose missing load looks most like the residual, the first of them and all of them, with sharp and round corners."""
-        seen = _find_limits(scene, residual)
+        seen = find_limits(scene, residual, lambda x: SHARES * max(0.0, float(x.max())))
         first, every = np.zeros(12), np.zeros(12)
-        for number, (k, reciprocal) in enumerate(seen):
-            every[k] = reciprocal
+        for number, (k, limit) in enumerate(seen):
+            every[k] = 1.0 / limit
             if number == 0:
-                first[k] = reciprocal
+                first[k] = every[k]
         upper = [p.upper for p in self.parameters(scene)[:12]]
         limits = [first, every] if len(seen) > 1 else [first]
         return [np.append(np.clip(limit, 0.0, upper), corner) for limit in limits for corner in (CORNER, 0.3)]
@@ -86,33 +89,42 @@ class SensorSaturation(Effect):
         return Message.of("advice-sensor-saturation-below", channel=name, clipped_at=say_load(-limit, channel), needed=needed)
 
 
-def limit_softly(x: Array, limit: float, corner: float) -> Array:
-    """`min(x, limit)` for a positive limit, rounded by a parabola from `(1 - corner) limit` to `(1 + corner) limit`."""
-    d = corner * limit
-    inside = np.clip(x - limit + d, 0.0, 2 * d)
-    return np.asarray(np.minimum(x, limit + d) - inside**2 / (4 * d))
+@njit(cache=True)
+def limit_softly(x: Array, limit: float, d: float) -> Array:
+    """`min(x, limit)` of (N,), rounded by a parabola from `limit - d` to `limit + d`."""
+    out = np.empty(len(x))
+    for k in range(len(x)):
+        inside = min(max(x[k] - limit + d, 0.0), 2 * d)
+        out[k] = min(x[k], limit + d) - inside * inside / (4 * d)
+    return out
 
 
-def _find_limits(scene: Scene, residual: Array) -> list[tuple[int, float]]:
-    """Parameters and reciprocal limits whose missing load looks most like the residual, one after the other (orthogonal matching pursuit).
+def find_limits(scene: Scene, residual: Array, levels: Callable[[Array], Array], sign: float = 0.0) -> list[tuple[int, float]]:
+    """Sides and limits whose missing load looks most like the residual, one after the other (orthogonal matching pursuit); sides are upper
+    ones of six channels, then lower ones, whose limits are of `-w`.
 
     What payload and offsets take up does not count.
+
+    Args:
+        levels: limits (l,) that are looked at, of the load (n,) of one side.
+        sign: share of the residual that the first one has to explain, or there is none.
     """
     rows = slice(0, None, max(1, len(scene) // ROWS))
     w, scale, r = scene.nominal[rows], weights(scene), residual[rows].T.ravel()
     Q, _ = np.linalg.qr(columns_of_payload_and_offsets(scene, rows).transpose(1, 0, 2).reshape(6 * len(w), 16))
     sides = {k: (1.0 if k < 6 else -1.0) * w[:, k % 6] for k in range(12)}
-    columns = {k: scale[k % 6] * _cut_off(x) * (1.0 if k < 6 else -1.0) for k, x in sides.items() if x.max() > 0}
+    looked_at = {k: levels(x) for k, x in sides.items()}
+    columns = {k: scale[k % 6] * (1.0 if k < 6 else -1.0) * _cut_off(x, looked_at[k]) for k, x in sides.items()}
     seen: list[tuple[int, float]] = []
-    least = SEEN
+    least = max(SEEN, sign * float(r @ r))
     while columns:
         gains = {k: _gains(c, Q, r, k % 6) for k, c in columns.items()}
         k = max(gains, key=lambda k: float(gains[k].max()))
         best = int(gains[k].argmax())
         if gains[k][best] < least:
             break
-        least = max(least, FAINT * float(gains[k][best]))
-        seen.append((k, 1.0 / (SHARES[best] * float(sides[k].max()))))
+        least = max(SEEN, FAINT * float(gains[k][best])) if not seen else least
+        seen.append((k, float(looked_at[k][best])))
         q = np.zeros((6, len(w)))
         q[k % 6] = columns.pop(k)[:, best]
         Q = np.linalg.qr(np.column_stack([Q, q.ravel()]))[0]
@@ -120,13 +132,13 @@ def _find_limits(scene: Scene, residual: Array) -> list[tuple[int, float]]:
     return seen
 
 
-def _cut_off(x: Array) -> Array:
-    """(n, levels), what each of the limits takes off a channel (n,)."""
-    return np.column_stack([limit_softly(x, share * float(x.max()), CORNER) - x for share in SHARES])
+def _cut_off(x: Array, levels: Array) -> Array:
+    """(n, l), what each of the limits takes off a channel (n,)."""
+    return np.column_stack([np.minimum(x, level) - x for level in levels])
 
 
 def _gains(columns: Array, Q: Array, r: Array, channel: int) -> Array:
-    """(levels,), chi-square of r (6n,) that each column (n, levels) of one channel explains beside the orthonormal Q (6n, m)."""
+    """(l,), chi-square of r (6n,) that each column (n, l) of one channel explains beside the orthonormal Q (6n, m)."""
     rows = slice(channel * len(columns), (channel + 1) * len(columns))
     along = columns.T @ r[rows]
     size = (columns**2).sum(axis=0)

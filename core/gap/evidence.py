@@ -21,7 +21,7 @@ from core.gap.fit_all import FitAll, Task, on_all_cores
 from core.gap.limits import GAP
 from core.gap.materiality import find_margins
 from core.gap.most_rows import DRAWN, PARTS, fit_most
-from core.gap.partners import leave_out_each, partners, take_fewer
+from core.gap.partners import leave_out_each, partners, take_fewer, terms_of
 from core.gap.proposal import Proposal
 from core.gap.sound_gears import ONE_IS_ENOUGH, find_gears_among, find_sound_gears, hold_gears
 from core.gap.tie import Tie, distance_sigma
@@ -33,9 +33,10 @@ EXPLAINED = 0.5
 """Probability from which one name is given."""
 MATTERS = 1.0 / 3.0
 """Probability from which something is said to matter: what is named in vain costs a look, what is not named a wrong payload."""
-FIRSTS, FURTHER = 2, 3
+FIRSTS, FURTHER, RIVALS = 2, 3, 2
 """A second effect is sought for the best two single ones, a third for the best pair; the three most promising ones of each are fitted. What
-stands for several at once bends best alone, and is left out again: so then is each of the best set, and others are sought in its place."""
+stands for several at once bends best alone, and is left out again: so then is each of the best set, and others are sought in its place;
+where that leaves little, of its rival, too."""
 BESIDE = 6
 """Single effects beside which their richer shapes are sought: of a clock that runs off a constant delay explains little."""
 MOST_TOGETHER, EXCHANGES = 3, 3
@@ -44,6 +45,9 @@ EQUATIONS = 5
 ONE_IS_CLEAR = 3e-4
 """Share of the excess left over by one effect below which none is started from the rows that most agree on: what spoils the first estimate
 leaves more to the others."""
+MUCH = 0.05
+"""Share of the excess left over from which something is sought that could take up whatever is slow; with less the best set is compared
+with a rival that was sought as thoroughly."""
 HID_MOST = 0.5
 """Share of the excess below which what sound gears leave is looked at anew: starts and shapes were those that the swinging showed."""
 FURTHER_EXPLAINS = 1.0 / 3.0
@@ -123,7 +127,8 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     absences = {effect: _explain_absence(effect, scene, at_rest=windows.basis.rows.at_rest) for effect in effects}
     shown = [effect for effect, reason in absences.items() if reason is None]
     in_twin = {term.effect.id for term in windows.held}  # in their plain shape
-    wider = [effect for effect in wider_shapes() if effect.id in {each.id for each in shown} - in_twin]
+    richer = [effect for effect in wider_shapes() if effect.id in {each.id for each in shown} - in_twin]
+    wider, last = [effect for effect in richer if not effect.last_resort], [effect for effect in richer if effect.last_resort]
     singles = _fit_singles(windows, nominal, shown, wider, fit_all)
     stated = SoundGears.id in in_twin
     gears = None if stated else find_sound_gears(windows, nominal, singles, fit_all)
@@ -133,6 +138,8 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
             singles = choose_variants(nominal, [*singles, *_fit_singles(windows, nominal, shown, wider, fit_all)])
     joinable = [effect for effect in (*shown, *wider) if not effect.stands_alone]
     grown = _join(windows, nominal, singles, joinable, fit_all)
+    if min((find_left_share(nominal, fit) for fit in (*singles, *grown)), default=0.0) > MUCH:
+        singles, grown = _resort_to(windows, nominal, last, singles, grown, fit_all)
     needed = [] if stated else _find_needed(nominal, singles, grown)[:1]
     among = next((find_gears_among(windows, fit, fit_all) for fit in needed), None)
     if among is not None:
@@ -157,20 +164,24 @@ def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wi
     beside = [task for task in _start_beside(windows, nominal, singles, wider) if task.thetas]
     singles = choose_variants(nominal, [*singles, *fit_all(windows, beside)]) if beside else singles
     if find_left_share(nominal, min(singles, key=lambda fit: fit.chi_square, default=nominal)) > ONE_IS_CLEAR:
-        singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, effects, fit_all)])
+        singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, [*effects, *wider], fit_all)])
     return singles
 
 
-def _start_beside(windows: Windows, nominal: EffectFit, singles: list[EffectFit], wider: list[Effect]) -> Iterator[Task]:
+def _start_beside(windows: Windows, nominal: EffectFit, fits: list[EffectFit], wider: list[Effect]) -> Iterator[Task]:
     """Richer shapes that show only beside the plain one, of the effects that explain most where none explains all."""
-    promising = sorted(singles, key=lambda fit: fit.chi_square)[:BESIDE]
+    promising = sorted(fits, key=lambda fit: fit.chi_square)[:BESIDE]
     if not promising or find_left_share(nominal, promising[0]) < ONE_IS_CLEAR:
         return
     for fit in promising:
-        scene, residual = windows.basis.scene.with_phi(fit.phi), windows.on_grid(fit.residual)
-        for effect in wider if not fit.effects[0].wider_shape else ():
-            if effect.id == fit.name:
-                yield Task((effect,), fit, effect.starts_beside(scene, residual, fit.theta))
+        scene, residual, terms = windows.basis.scene.with_phi(fit.phi), windows.on_grid(fit.residual), terms_of(windows, fit)
+        for k, (plain, theta) in enumerate(terms):
+            for effect in wider if not plain.wider_shape else ():
+                if effect.id == plain.id:
+                    before, behind = ([t for _, t in some] for some in (terms[:k], terms[k + 1 :]))
+                    effects = tuple(effect if each is plain else each for each in fit.effects)
+                    starts = effect.starts_beside(scene, residual, theta)
+                    yield Task(effects, fit, [np.concatenate([*before, start, *behind]) for start in starts])
 
 
 def _hold(windows: Windows, gears: Term, singles: list[EffectFit], fit_all: FitAll) -> tuple[Windows, EffectFit, list[EffectFit]]:
@@ -194,7 +205,8 @@ def _fit_from_most(windows: Windows, nominal: EffectFit, effects: Sequence[Effec
     scene = windows.basis.scene.with_phi(beta[PHI])
     residual = windows.on_grid(windows.target - nominal.change - windows.X @ beta)
     start = replace(nominal, beta=beta)
-    return fit_all(windows, [Task((effect,), start, effect.starts(scene, residual)) for effect in wanted])
+    tasks = [Task((effect,), start, effect.starts(scene, residual)) for effect in wanted]
+    return fit_all(windows, [task for task in tasks if task.thetas])
 
 
 def _explain_absence(effect: Effect, scene: Scene, *, at_rest: bool) -> Message | None:
@@ -227,7 +239,8 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
     while _leaves_more(windows, nominal, firsts[0]) and len(firsts[0].effects) < MOST_TOGETHER:
         seen, grown = {first.name for first in firsts}, _fit_with_partners(windows, nominal, firsts, effects, fit_all)
         for _ in range(EXCHANGES):
-            rests = [rest for fit in grown[:1] for rest in leave_out_each(windows, fit) if rest.name not in seen]
+            near = RIVALS if grown and find_left_share(nominal, grown[0]) < MUCH else 1
+            rests = [rest for fit in grown[:near] for rest in leave_out_each(windows, fit) if rest.name not in seen]
             if not rests:
                 break
             seen |= {rest.name for rest in rests}
@@ -236,9 +249,23 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
             grown = _take_each_once(nominal, [*grown, *further])
         if not grown:
             break
+        richer = [task for task in _start_beside(windows, nominal, grown, effects) if task.thetas]
+        grown = _take_each_once(nominal, [*grown, *fit_all(windows, richer)]) if richer else grown
         firsts, found = grown[:1], [*grown, *found]
     rests_of_three = [fit for fit in fitted.values() if len(fit.effects) > 1]
     return _take_most_first(nominal, [*found, *rests_of_three])
+
+
+def _resort_to(
+    windows: Windows, nominal: EffectFit, last: list[Effect], singles: list[EffectFit], grown: list[EffectFit], fit_all: FitAll
+) -> tuple[list[EffectFit], list[EffectFit]]:
+    """Single effects and sets with what is sought last, by itself and beside the best single ones."""
+    scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
+    tasks = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in last]
+    firsts = sorted(_take_joinable(singles), key=lambda fit: fit.chi_square)[:FIRSTS]
+    beside = _fit_with_partners(windows, nominal, firsts, last, fit_all)
+    singles = choose_variants(nominal, [*singles, *fit_all(windows, [task for task in tasks if task.thetas])])
+    return singles, _take_most_first(nominal, [*grown, *beside])
 
 
 def _leaves_more(windows: Windows, nominal: EffectFit, fit: EffectFit) -> bool:

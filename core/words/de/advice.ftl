@@ -58,6 +58,7 @@ advice-structure-vibration = Suchen Sie, was mit { FIXED($frequency_hz, digits: 
 advice-time-delay = Stempeln Sie Kräfte und Gelenke mit einer Uhr, oder stellen Sie in der Aufzeichnung eine Verzögerung von { MILLI($delay_s, digits: 1) } ms ein.
 advice-time-delay-grows = Stempeln Sie Kräfte und Gelenke mit einer Uhr, oder stellen Sie die Uhren nacheinander: Die Kräfte kommen mit jeder Minute { MILLI($per_minute_s, digits: 1) } ms später.
 advice-time-delay-slips = Stempeln Sie Kräfte und Gelenke mit einer Uhr, ohne Puffer dazwischen: Die Verzögerung wächst um { MILLI($swing_s, digits: 1) } ms und fällt alle { FIXED($cycle_s, digits: 1) } s zurück.
+advice-time-delay-wanders = Stempeln Sie Kräfte und Gelenke mit einer Uhr, und lassen Sie dazwischen nichts warten: Die Verzögerung schwankt zwischen { MILLI($least_s, digits: 1) } und { MILLI($most_s, digits: 1) } ms.
 advice-tool-flexibility = Versteifen Sie das Werkzeug, oder glätten Sie die Bewegung: es schwingt mit { FIXED($frequency_hz, digits: 1) } Hz bei { PERCENT($damping_ratio) } % der kritischen Dämpfung.
 advice-torque-offset = Setzen Sie die Momentensensoren der Gelenke neu auf null, wie es der Hersteller des Roboters beschreibt
 advice-velocity-lag = Zeichnen Sie ungefilterte Gelenkgeschwindigkeiten auf, oder lassen Sie sie weg: diese folgen den Stellungen { MILLI($lag_s, digits: 1) } ms verspätet

@@ -58,6 +58,7 @@ advice-structure-vibration = Find what shakes at { FIXED($frequency_hz, digits: 
 advice-time-delay = Stamp wrench and joints with one clock, or set a delay of { MILLI($delay_s, digits: 1) } ms in the recorder.
 advice-time-delay-grows = Stamp wrench and joints with one clock, or set the clocks by each other: the wrench comes { MILLI($per_minute_s, digits: 1) } ms later with every minute.
 advice-time-delay-slips = Stamp wrench and joints with one clock, without a buffer between them: the delay grows by { MILLI($swing_s, digits: 1) } ms and falls back every { FIXED($cycle_s, digits: 1) } s.
+advice-time-delay-wanders = Stamp wrench and joints with one clock, and let nothing between them wait: the delay wanders between { MILLI($least_s, digits: 1) } and { MILLI($most_s, digits: 1) } ms.
 advice-tool-flexibility = Stiffen the tool or smooth the motion: it rings at { FIXED($frequency_hz, digits: 1) } Hz with { PERCENT($damping_ratio) } % of critical damping.
 advice-torque-offset = Set the torque sensors of the joints to zero anew, as the maker of the robot describes it.
 advice-velocity-lag = Record unfiltered joint velocities or leave them out: these follow the positions { MILLI($lag_s, digits: 1) } ms late.

@@ -7,9 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.ndimage import gaussian_filter1d
 from scipy.optimize import least_squares
 from scipy.signal import lfilter
 
+from core.effects.drift_in_any_attitude import DriftInAnyAttitude, wanders_in_any_attitude
 from core.effects.drift_that_wanders import DriftThatWanders, wanders_in_holds
 from core.effects.gain_that_warms_up import GainThatWarmsUp
 from core.effects.loose_between_stops import LooseBetweenStops
@@ -54,6 +56,31 @@ def test_what_else_is_slow_does_not(kind: str) -> None:
 def test_where_nothing_moves_or_only_poses_are_known_nobody_can_tell() -> None:
     assert not wanders_in_holds(replace(RUN, phase=np.full(len(RUN), "hold:free")), noise() + walk(30.0))
     assert not wanders_in_holds(replace(RUN, apart=True), noise() + walk(30.0))
+    assert not wanders_in_any_attitude(replace(RUN, apart=True), noise() + walk(30.0))
+
+
+def smooth(walked: Array) -> Array:
+    """So slow that it hardly changes within a hold."""
+    return np.asarray(gaussian_filter1d(walked, 120, axis=0))
+
+
+def test_a_slow_walk_takes_as_large_steps_in_one_attitude_as_from_one_to_the_next() -> None:
+    slow = noise() + smooth(walk(8.0))
+    assert not wanders_in_holds(RUN, slow)
+    assert DriftThatWanders().starts(RUN, slow) == []
+    assert DriftInAnyAttitude().starts(RUN, slow)
+
+
+@pytest.mark.parametrize("kind", ["noise", "of_gravity", "hysteresis", "shaking"])
+def test_what_goes_with_the_attitude_does_not(kind: str) -> None:
+    g = RUN.motion.g / 9.81
+    also = {
+        "noise": np.zeros((len(RUN), 6)),
+        "of_gravity": 30.0 * np.hstack((g * g[:, [1, 2, 0]], g**3)),
+        "hysteresis": 30.0 * np.tanh(3.0 * np.hstack((g, g[:, ::-1]))),
+        "shaking": 20.0 * np.outer(np.sin(2 * np.pi * 5.0 * RUN.t), EVEN),
+    }
+    assert not wanders_in_any_attitude(RUN, noise() + also[kind])
 
 
 def test_the_shape_follows_a_walk_and_starts_nowhere_else() -> None:

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
+from scipy.ndimage import gaussian_filter1d
 
 from bench.calibration.planting import plant_trial
 from core.effects.crosstalk_of_products import CrosstalkOfProducts
 from core.effects.delay_that_grows import DelayThatGrows
+from core.effects.delay_that_wanders import DelayThatWanders
+from core.effects.drift_in_any_attitude import DriftInAnyAttitude
+from core.effects.drift_that_wanders import DriftThatWanders
 from core.effects.effect import Effect
 from core.effects.lag_of_each_joint import LagOfEachJoint
 from core.effects.library import library
@@ -50,6 +57,29 @@ def test_a_richer_shape_is_sought_although_four_other_effects_explain_more_than_
     (effect,) = evidence.best.effects
     assert isinstance(effect, DelayThatGrows)
     assert evidence.attribution.explained[0][1] > EXPLAINED
+
+
+def test_a_delay_that_changes_is_found_beside_a_jump_of_the_offset() -> None:
+    recording = record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(0), Imperfections())
+    t, wrench = recording.t, np.array(recording.wrench)
+    course = sum(np.sin(2.0 * np.pi * (t - t[0]) / period) for period in (31.0, 17.0, 11.0))
+    late = CubicSpline(t, wrench)(np.maximum(t - 0.03 - 0.01 * course, t[0]))
+    late[t > t.mean(), 0] += 3.0
+    evidence = gather(Windows(basis_of(replace(recording, wrench=late))), few("sensor_offset_step", "time_delay"), one_by_one)
+    assert evidence.best.name == "time_delay+sensor_offset_step"
+    assert isinstance(evidence.best.effects[0], DelayThatGrows | DelayThatWanders)
+
+
+def test_what_wanders_unseen_by_holds_is_the_last_resort(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(DriftThatWanders, "starts", lambda *_: [])  # as where no hold is long enough
+    recording = record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(0), Imperfections())
+    noise = np.std(np.diff(np.array(recording.wrench)[:100], axis=0), axis=0)
+    walked = gaussian_filter1d(np.cumsum(np.random.default_rng(1).normal(size=np.shape(recording.wrench)), axis=0), 1000, axis=0)
+    wrench = np.array(recording.wrench) + 15.0 * noise * walked / walked.std(axis=0)
+    names = ("sensor_drift", "external_contact", "sensor_gain", "sensor_offset_step")
+    evidence = gather(Windows(basis_of(replace(recording, wrench=wrench))), few(*names), one_by_one)
+    assert [type(effect) for effect in evidence.best.effects] == [DriftInAnyAttitude]
+    assert evidence.verdict == "explained"
 
 
 @pytest.mark.parametrize("id_", ["sensor_gain", "time_delay"])
