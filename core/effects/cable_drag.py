@@ -82,12 +82,17 @@ class CableDrag(Effect):
         r = theta[5:8]
         p = scene.position + scene.rotation @ r
         whole = scene.past("place").before(p, 1)
-        v = np.diff(whole, axis=0, prepend=whole[:1])[-len(p) :] / scene.period
+        step = np.diff(whole, axis=0, prepend=whole[:1])[-len(p) :]
         F = taut(theta[1:4] - theta[0] * (p - scene.past("first place").first(p)), theta[8])
+        torque = twist(scene, theta[TWIST]) if len(theta) > TWIST.start else np.zeros_like(F)
+        return np.asarray(add_force(w, -turn_back(scene.rotation, self.rub(scene, F, step, theta)), r, torque))
+
+    def rub(self, scene: Scene, F: Array, step: Array, theta: Array) -> Array:
+        """(N, 3), N, the pull F (N, 3) with all friction, as its end moves by `step` (N, 3), m, from row to row."""
+        v = step / scene.period
         F = F * wind(v, F, theta[10])
         F = F - theta[4] * v / np.sqrt(np.sum(v * v, axis=1, keepdims=True) + CREEP**2) - theta[9] * v / np.sqrt(v * v + CREEP**2)
-        torque = twist(scene, theta[TWIST]) if len(theta) > TWIST.start else np.zeros_like(F)
-        return np.asarray(add_force(w, -turn_back(scene.rotation, F), r, torque))
+        return np.asarray(F)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """A hose, and the two cables with slack whose pull looks most like the residual."""

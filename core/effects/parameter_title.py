@@ -69,6 +69,8 @@ PIECES = {
     "knee": Message.of("effect-parameter-knee"),
     "lag": Message.of("effect-parameter-lag"),
     "lean": Message.of("effect-parameter-lean"),
+    "loop_roundness": Message.of("effect-parameter-loop-roundness"),
+    "loop_start": Message.of("effect-parameter-loop-start"),
     "lost": Message.of("effect-parameter-lost"),
     "lower_limit": Message.of("effect-parameter-lower-limit"),
     "mass": Message.of("effect-parameter-mass"),
@@ -116,6 +118,7 @@ PIECES = {
     "upper_limit": Message.of("effect-parameter-upper-limit"),
     "viscous": Message.of("effect-parameter-viscous"),
     "winding_friction": Message.of("effect-parameter-winding-friction"),
+    "yield": Message.of("effect-parameter-yield"),
 }
 
 

@@ -70,6 +70,8 @@ CODES = {
     "knee": "report-of-knee",
     "lag": "report-of-lag",
     "lean": "report-of-lean",
+    "loop_roundness": "report-of-loop-roundness",
+    "loop_start": "report-of-loop-start",
     "lost": "report-of-lost",
     "lower_limit": "report-of-lower-limit",
     "mass": "report-of-mass",
@@ -118,6 +120,7 @@ CODES = {
     "upper_limit": "report-of-upper-limit",
     "viscous": "report-of-viscous",
     "winding_friction": "report-of-winding-friction",
+    "yield": "report-of-yield",
 }
 
 

@@ -67,6 +67,8 @@ effect-angle = { DEGREES($angle_rad, digits: 2) }°
 # The names of parameters, put together: of what ("joint 3", "fx"), what, along which axis.
 effect-parameter-hot = Nullpunkt in der Wärme
 effect-parameter-kept = bleibender Anteil
+effect-parameter-loop-roundness = Rundung der Schleifen
+effect-parameter-loop-start = Beginn der Schleifen
 effect-parameter-part = { $first } { $then }
 effect-parameter-about = um
 effect-parameter-acceleration = Beschleunigung
@@ -165,3 +167,4 @@ effect-parameter-twist-square = Verdrehung, quadratisch
 effect-parameter-upper-limit = obere Grenze
 effect-parameter-viscous = viskose Reibung
 effect-parameter-winding-friction = Reibung beim Auf- und Abwickeln
+effect-parameter-yield = Weg, bis die Reibung voll wirkt

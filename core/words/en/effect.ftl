@@ -67,6 +67,8 @@ effect-angle = { DEGREES($angle_rad, digits: 2) } deg
 # The names of parameters, put together: of what ("joint 3", "fx"), what, along which axis.
 effect-parameter-hot = offset when hot
 effect-parameter-kept = kept
+effect-parameter-loop-roundness = roundness of loops
+effect-parameter-loop-start = where loops start
 effect-parameter-part = { $first } { $then }
 effect-parameter-about = about
 effect-parameter-acceleration = acceleration
@@ -165,3 +167,4 @@ effect-parameter-twist-square = twist, quadratic
 effect-parameter-upper-limit = upper limit
 effect-parameter-viscous = viscous friction
 effect-parameter-winding-friction = friction where it is wound
+effect-parameter-yield = way until friction acts in full

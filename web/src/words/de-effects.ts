@@ -94,6 +94,8 @@ export const deEffects: typeof enEffects = {
     knee: 'Knick',
     lag: 'Nachlauf',
     lean: 'Nachgeben der Basis',
+    loop_roundness: 'Rundung der Schleifen',
+    loop_start: 'Beginn der Schleifen',
     lost: 'verloren',
     lower_limit: 'untere Grenze',
     mass: 'Masse',
@@ -141,5 +143,6 @@ export const deEffects: typeof enEffects = {
     upper_limit: 'obere Grenze',
     viscous: 'viskose Reibung',
     winding_friction: 'Reibung beim Auf- und Abwickeln',
+    yield: 'Weg, bis die Reibung voll wirkt',
   },
 };
