@@ -1,15 +1,18 @@
-"""`bench.stranger`: what makes the recordings shares no code with what is tried on them."""
+"""`bench.stranger` and `bench.second_stranger`: what makes the recordings shares no code with what is tried on them."""
 
 from __future__ import annotations
 
 import ast
 from pathlib import Path
+from types import ModuleType
 
+import pytest
+
+import bench.second_stranger
 import bench.stranger
 
-FOLDER = Path(str(bench.stranger.__file__)).parent
-TRIES = {"diagnosing.py", "__main__.py"}
-"""What diagnoses, and the command."""
+TRIES = ("diagnosing", "sets", "__main__")
+"""Of `bench.stranger`: what diagnoses, and the command."""
 
 
 def list_imports(path: Path) -> set[str]:
@@ -18,8 +21,10 @@ def list_imports(path: Path) -> set[str]:
     return named | {node.module or "." for node in nodes if isinstance(node, ast.ImportFrom)}
 
 
-def test_nothing_of_this_project_but_the_folder_itself_takes_part_in_making_recordings() -> None:
-    for path in FOLDER.rglob("*.py"):
-        if path.name not in TRIES:
+@pytest.mark.parametrize("package", [bench.stranger, bench.second_stranger], ids=lambda package: package.__name__)
+def test_nothing_of_this_project_but_the_folder_itself_takes_part_in_making_recordings(package: ModuleType) -> None:
+    tries = {f"bench.stranger.{name}" for name in TRIES}
+    for path in Path(str(package.__file__)).parent.rglob("*.py"):
+        if f"{package.__name__}.{path.stem}" not in tries:
             ours = {name for name in list_imports(path) if name.split(".")[0] in ("core", "server", "tests", "bench", ".")}
-            assert all(name.startswith("bench.stranger.") and name != "bench.stranger.diagnosing" for name in ours), path
+            assert all(name.startswith(f"{package.__name__}.") and name not in tries for name in ours), path

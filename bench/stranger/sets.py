@@ -1,0 +1,35 @@
+"""The sets of recordings that the command makes and diagnoses, each by a stranger of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import NamedTuple
+
+from bench.second_stranger import making as second_making
+from bench.second_stranger import plan as second_plan
+from bench.stranger import making, plan
+from bench.stranger.making import Truth
+
+
+class Recording(NamedTuple):
+    """One of a set: the number of its folder, what is planted, joined by plus signs, and what writes a folder and tells the truth."""
+
+    number: str
+    name: str
+    make: Callable[[Path], Truth]
+
+
+def list_first() -> list[Recording]:
+    """By number."""
+    return [Recording(case.number, case.order.name, partial(making.make_case, case)) for case in plan.list_cases()]
+
+
+def list_second() -> list[Recording]:
+    """By number."""
+    return [Recording(case.number, case.order.name, partial(second_making.make_case, case)) for case in second_plan.list_cases()]
+
+
+SETS = {"first": list_first, "second": list_second}
+"""By the stranger."""
