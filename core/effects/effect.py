@@ -78,6 +78,9 @@ class Effect(ABC):
     last_resort: ClassVar[bool] = False
     """Whether it is sought only where all else, also together, leaves much."""
 
+    beside: ClassVar[type[Effect] | None] = None
+    """The shape that `starts_beside` starts from, where it is not the plain one."""
+
     @abstractmethod
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """The parameters; their number may depend on the number of joints."""
@@ -126,8 +129,8 @@ class Effect(ABC):
         return [np.array([p.absent + 0.3 * p.scale for p in self.parameters(scene)])]
 
     def starts_beside(self, scene: Scene, residual: Array, plain: Array) -> list[Array]:
-        """The same of a richer shape, where the plain one with the parameters `plain` has left the residual; none where that shows no sign
-        of it."""
+        """The same of a richer shape, where the plain one (or the one that it names) with the parameters `plain` has left the residual;
+        none where that shows no sign of it."""
         del scene, residual, plain
         return []
 

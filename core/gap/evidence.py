@@ -169,19 +169,24 @@ def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wi
 
 
 def _start_beside(windows: Windows, nominal: EffectFit, fits: list[EffectFit], wider: list[Effect]) -> Iterator[Task]:
-    """Richer shapes that show only beside the plain one, of the effects that explain most where none explains all."""
+    """Richer shapes that show only beside the plain one, or another, of the effects that explain most where none explains all."""
     promising = sorted(fits, key=lambda fit: fit.chi_square)[:BESIDE]
     if not promising or find_left_share(nominal, promising[0]) < ONE_IS_CLEAR:
         return
     for fit in promising:
         scene, residual, terms = windows.basis.scene.with_phi(fit.phi), windows.on_grid(fit.residual), terms_of(windows, fit)
-        for k, (plain, theta) in enumerate(terms):
-            for effect in wider if not plain.wider_shape else ():
-                if effect.id == plain.id:
-                    before, behind = ([t for _, t in some] for some in (terms[:k], terms[k + 1 :]))
-                    effects = tuple(effect if each is plain else each for each in fit.effects)
+        for k, (found, theta) in enumerate(terms):
+            before, behind = ([t for _, t in some] for some in (terms[:k], terms[k + 1 :]))
+            for effect in wider:
+                if effect.id == found.id and _is_beside(effect, found):
+                    effects = tuple(effect if each is found else each for each in fit.effects)
                     starts = effect.starts_beside(scene, residual, theta)
                     yield Task(effects, fit, [np.concatenate([*before, start, *behind]) for start in starts])
+
+
+def _is_beside(effect: Effect, found: Effect) -> bool:
+    """Whether it is the shape that the richer one starts from."""
+    return not found.wider_shape if effect.beside is None else isinstance(found, effect.beside)
 
 
 def _hold(windows: Windows, gears: Term, singles: list[EffectFit], fit_all: FitAll) -> tuple[Windows, EffectFit, list[EffectFit]]:

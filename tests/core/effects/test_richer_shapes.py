@@ -16,6 +16,7 @@ from core.effects.drift_that_wanders import DriftThatWanders, wanders_in_holds
 from core.effects.gain_that_warms_up import GainThatWarmsUp
 from core.effects.loose_between_stops import LooseBetweenStops
 from core.effects.payload_shift import PayloadShift
+from core.effects.scene import Scene
 from core.effects.several_payload_shifts import SeveralPayloadShifts
 from tests.core.effects import mechanical_truth as truth
 from tests.core.effects.synthetic_scene import NOISE, scene
@@ -97,15 +98,16 @@ def test_the_shape_follows_a_walk_and_starts_nowhere_else() -> None:
     assert effect.explain_tie_to_run(RUN) is not None
 
 
-def slide_between_walls(mass: float, axis: Array, half_m: float) -> Array:
-    """(N, 6), what a point mass adds that slides without friction along an axis through the centre of mass, from wall to wall, against one
-    that stays in the middle: Newton's law, step by step, torques of where it is."""
-    m, com = RUN.motion, RUN.phi[1:4] / RUN.phi[0]
+def slide_between_walls(mass: float, axis: Array, half_m: float, dry: float = 0.0, run: Scene = RUN) -> Array:
+    """(N, 6), what a point mass adds that slides along an axis through the centre of mass, from wall to wall, against one that stays in the
+    middle: Newton's law with Coulomb's friction of so many m/s2, step by step, torques of where it is."""
+    m, com = run.motion, run.phi[1:4] / run.phi[0]
     field = m.a - m.g + np.cross(m.alpha, com) + np.cross(m.omega, np.cross(m.omega, com))
     u, du, places = 0.0, 0.0, []
     for b in field @ axis:
         for _ in range(10):
             du += 0.001 * (-b - 8.0 * du)
+            du -= float(np.clip(du, -0.001 * dry, 0.001 * dry))
             u += 0.001 * du
             if abs(u) > half_m:
                 u, du = float(np.sign(u)) * half_m, 0.0
@@ -119,13 +121,30 @@ def test_a_part_that_slides_from_wall_to_wall_is_followed_with_its_first_moment(
     axis = np.array([0.6, 0.0, 0.8])
     planted = slide_between_walls(0.4, axis, 0.01)
     effect = LooseBetweenStops()
-    start = np.array([0.001, 0.001, 0.001, 1.0])
-    scale = np.array([0.001, 0.001, 0.001, 1.0])
+    start = np.array([0.001, 0.001, 0.001, 1.0, 0.0])
+    scale = np.array([0.001, 0.001, 0.001, 1.0, 1.0])
     fit = least_squares(lambda x: ((effect.wrench(RUN, RUN.nominal, x) - RUN.nominal - planted) / NOISE).ravel(), start, x_scale=scale)
     theta = fit.x
     assert 2.0 * fit.cost < 0.15 * np.square(planted / NOISE).sum()
     assert np.linalg.norm(theta[:3]) == pytest.approx(0.004, rel=0.15)
     assert abs(theta[:3] @ axis) == pytest.approx(float(np.linalg.norm(theta[:3])), rel=0.02)
+
+
+@pytest.mark.parametrize("dry", [0.0, 2.0, 4.0])
+def test_a_part_that_friction_holds_at_its_wall_is_sought_and_followed(dry: float) -> None:
+    axis, run, effect = np.array([0.8, -0.6, 0.0]), replace(scene(seconds=40.0, seed=7), noise=NOISE), LooseBetweenStops()
+    planted = slide_between_walls(0.4, axis, 0.004, dry, run)
+    scale, lower, upper = (np.array([getattr(p, name) for p in effect.parameters(run)]) for name in ("scale", "lower", "upper"))
+
+    def left(x: Array) -> Array:
+        return np.asarray(((effect.wrench(run, run.nominal, x) - run.nominal - planted) / NOISE).ravel())
+
+    begun = sorted(effect.starts(run, planted / NOISE), key=lambda x: float(left(x) @ left(x)))[: effect.followed]
+    fits = [least_squares(left, x, bounds=(lower - 1e-9, upper + 1e-9), x_scale=scale) for x in begun]
+    fit = min(fits, key=lambda fit: fit.cost)
+    assert 2.0 * fit.cost < 0.15 * np.square(planted / NOISE).sum()
+    assert abs(fit.x[:3] @ axis) == pytest.approx(0.4 * 0.004, rel=0.15)
+    assert dry < fit.x[4] < dry + 1.7  # the time on the way looks like some more
 
 
 SLIPS = ((6.3, np.array([0.012, -0.004, 0.0])), (15.7, np.array([-0.003, 0.01, 0.004])))

@@ -13,6 +13,8 @@ from scipy.interpolate import CubicSpline
 from scipy.signal import lsim
 
 from core.effects.library import library
+from core.effects.loose_with_knocks import LooseWithKnocks
+from core.effects.payload_loose import PayloadLoose
 from core.gap.answer import Diagnosis
 from core.gap.basis import basis_of
 from core.gap.closure import gap_of
@@ -233,3 +235,40 @@ def test_a_buffer_that_slips_shows_beside_the_delay_that_it_has_on_the_whole(run
     assert found["growth_s_per_s"] == pytest.approx(swing_s / cycle_s, rel=0.1)
     assert found["delay_s"] == pytest.approx(0.02, abs=0.001)
     assert "every" in diagnosis.effects[0].advice.text
+
+
+def slide(run: Run, axis: Array, half_m: float, dry: float) -> Array:
+    """(N, 6), what a point mass of 0.5 kg adds that slides against dry friction of so many m/s2 from wall to wall, where it stops dead,
+    against one that stays in the middle."""
+    middle, h = np.array([0.0, 0.01, 0.08]), 5e-4
+    field = np.einsum("nji,nj->ni", run.rotation, run.a - [0.0, 0.0, -9.81])
+    field += np.cross(run.alpha, middle) + np.cross(run.omega, np.cross(run.omega, middle))
+    period, pull = float(run.t[1] - run.t[0]), -field @ axis
+    u, du = half_m * float(np.sign(pull[0])), 0.0
+    ways = []
+    for now in pull:
+        ways.append(u)
+        for _ in range(round(period / h)):
+            du += h * now
+            du -= float(np.clip(du, -h * dry, h * dry))
+            u += h * du
+            if abs(u) >= half_m:
+                u, du = half_m * float(np.sign(u)), 0.0
+    rate = np.gradient(ways, period)
+    at, drive = middle + np.outer(ways, axis), np.outer(np.gradient(rate, period), axis) + 2.0 * np.cross(run.omega, np.outer(rate, axis))
+    moved = np.outer(ways, axis)
+    f = 0.5 * (field + np.cross(run.alpha, moved) + np.cross(run.omega, np.cross(run.omega, moved)) + drive)
+    return np.hstack((f - 0.5 * field, np.cross(at, f) - np.cross(middle, 0.5 * field)))
+
+
+def test_knocks_are_sought_along_the_slide_that_was_found_without_them(run: Run) -> None:
+    recording, _ = recorded(run, 5)
+    axis, half_m, dry = np.array([0.48, -0.6, 0.64]), 0.006, 2.0
+    changed = replace(recording, wrench=recording.wrench + slide(run, axis, half_m, dry))
+    _, evidence = examine(changed, [PayloadLoose()], fit_all=one_by_one)
+    assert evidence is not None
+    (shape,) = evidence.best.effects
+    assert isinstance(shape, LooseWithKnocks)
+    assert np.linalg.norm(evidence.best.theta[:3]) == pytest.approx(0.5 * half_m, rel=0.1)
+    assert evidence.best.theta[6] == pytest.approx(dry, abs=0.5)
+    assert gap_of(evidence.windows, evidence.best) < 1.4
