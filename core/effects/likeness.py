@@ -12,13 +12,15 @@ import numpy as np
 from core.array import Array
 from core.effects.effect import Effect
 from core.effects.scene import Scene
-from core.effects.window_search import ROWS, columns_of_payload_and_offsets, weights
+from core.effects.window_search import columns_of_payload_and_offsets, weights
 
 AXES = np.array([axis for axis in np.ndindex(3, 3, 3) if axis > (1, 1, 1)], dtype=float) - 1.0
 """(13, 3), edges and diagonals of a cube, of length 1: the axes that are looked at before a fit."""
 AXES /= np.linalg.norm(AXES, axis=1)[:, None]
 ROUNDS = 8
 """In which each parameter is moved, at most,"""
+LOOKED_AT = 600
+"""No more rows than about this many are looked at."""
 HALVED = 0.5
 """by steps that become so much shorter where none of them is any good."""
 
@@ -55,7 +57,7 @@ class _Likeness(NamedTuple):
 
     @classmethod
     def of(cls, effect: Effect, scene: Scene, residual: Array) -> _Likeness:
-        rows = slice(0, None, max(1, len(scene) // ROWS))
+        rows = slice(0, None, max(1, len(scene) // LOOKED_AT))
         wanted = residual[rows].ravel()
         Q = np.linalg.qr(columns_of_payload_and_offsets(scene, rows).reshape(wanted.size, -1))[0]
         few = replace(scene[rows], step=scene.period * rows.step)

@@ -131,16 +131,19 @@ def _turn(
     the rate of each step, down to rest (Moreau's time stepping); it stops dead so far back or forth from the start, rad."""
     steps = max(1, int(np.ceil(period / LONGEST_STEP_S)))
     h, angle, rate = period / steps, np.empty_like(p), np.empty_like(p)
-    phi, v = start, 0.0
+    phi, v, sin, cos = start, 0.0, np.sin(start), np.cos(start)
     for k in range(len(p)):
         for i in range(steps if k > 0 else 0):
             share = (i + 0.5) / steps
             now_p, now_q = p[k - 1] + share * (p[k] - p[k - 1]), q[k - 1] + share * (q[k] - q[k - 1])
-            turning = pull * (np.sin(phi) * now_p - np.cos(phi) * now_q) - alpha[k - 1] - share * (alpha[k] - alpha[k - 1])
+            turning = pull * (sin * now_p - cos * now_q) - alpha[k - 1] - share * (alpha[k] - alpha[k - 1])
             v = (v + h * turning) / (1.0 + h * drag)
             v = max(0.0, v - h * dry) if v > 0.0 else min(0.0, v + h * dry)
             phi += h * v
             if phi < start - back or phi > start + forth:
                 phi, v = min(max(phi, start - back), start + forth), 0.0
+                sin, cos = np.sin(phi), np.cos(phi)
+            elif v != 0.0:  # what rests needs no new ones
+                sin, cos = np.sin(phi), np.cos(phi)
         angle[k], rate[k] = phi, v
     return angle, rate

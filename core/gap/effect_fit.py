@@ -47,6 +47,8 @@ class EffectFit:
         held_out: (6, K), chi-square of each row predicted from the other motions, its own prediction's uncertainty counted, and what
             the effects spare themselves by smoothing noise given back.
         change: (6, K), what the effects add, whitened.
+        following: how many parameters those are worth that merely follow the course of a run, each as far as the recording and not its
+            prior says what it is (MacKay, Bayesian Interpolation, 1992).
         kept_absent: how many of the parameters were kept absent: a smaller shape of the effect.
     """
 
@@ -61,12 +63,13 @@ class EffectFit:
     log_evidence: float
     held_out: Array
     change: Array
+    following: float = 0.0
     kept_absent: int = 0
 
     @property
     def free(self) -> int:
-        """How many parameters were fitted; those that merely follow the course of a run, each held by its prior, do not count."""
-        return len(self.theta) - self.kept_absent - sum(not p.shown for p in self.parameters)
+        """How many parameters were fitted; those that merely follow the course of a run count as far as their priors leave them free."""
+        return len(self.theta) - self.kept_absent - sum(not p.shown for p in self.parameters) + round(self.following)
 
     @property
     def further(self) -> int:
@@ -162,6 +165,7 @@ def _finish(problem: Problem, beta: Array, theta: Array) -> EffectFit:
     held_out = predict_held_out(problem.windows, columns[:, free], rest, problem.precision[free]) + owed / rest.size
     held_out = take_off_noise(held_out, problem, theta, beta)
     covariance = inverse(normal)
+    hidden = [k for k, p in enumerate(problem.parameters) if not p.shown]
     shape = problem.windows.target.shape
     return EffectFit(
         problem.effects,
@@ -175,6 +179,7 @@ def _finish(problem: Problem, beta: Array, theta: Array) -> EffectFit:
         log_evidence,
         held_out,
         rows.reshape(shape),
+        float(sum(1.0 - problem.precision[len(beta) + k] * covariance[len(beta) + k, len(beta) + k] for k in hidden)),
     )
 
 

@@ -92,6 +92,6 @@ def test_a_part_that_swings_undamped_is_not_paid_for_the_noise_that_it_makes() -
     recording = record(run, payload("steel_block"), np.random.default_rng(0), Imperfections(encoder_std=1e-4))
     windows = Windows(basis_of(recording))
     problem, beta = Problem(windows, (LooseOnHinge(),)), fit_nominal(windows).beta
-    rings = np.array([0.0, 0.1, 0.1, 9.0, 0.003, 0.0, 0.4, 0.3, 0.0, 0.3])
+    rings = np.array([0.0, 0.1, 0.1, 9.0, 0.003, 0.0, 0.4, 0.3, 0.0, 0.3, 2.0 * np.pi, 2.0 * np.pi])
     assert estimate_spared_noise(problem, rings, beta).min() < -1.0
     assert take_off_noise(np.ones(windows.target.shape), problem, rings, beta).min() > 0.0
