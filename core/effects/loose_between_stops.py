@@ -10,10 +10,10 @@ from core.array import Array
 from core.effects.effect import Parameter
 from core.effects.filters import play
 from core.effects.likeness import AXES, find_most_alike
-from core.effects.payload_loose import PayloadLoose
+from core.effects.payload_loose import PayloadLoose, add_moved
 from core.effects.rigid_body import centre_of_mass
 from core.effects.scene import Scene
-from core.effects.vectors import add_force, find_specific_force, load_of_moment
+from core.effects.vectors import find_specific_force
 from core.words.message import Message
 
 LOADS = (0.5, 4.0)
@@ -50,12 +50,9 @@ class LooseBetweenStops(PayloadLoose):
         d, size = theta[:3], float(np.linalg.norm(theta[:3]))
         if size < 1e-12:
             return w.copy()
-        m, c = scene.motion, centre_of_mass(scene)
-        b = find_specific_force(m, c)
+        b = find_specific_force(scene.motion, centre_of_mass(scene))
         moved = -np.tanh(play((b @ d / size)[:, None], theta[4:], scene.past("friction")) / theta[3]) * d
-        still = np.zeros_like(moved)
-        f, tau = load_of_moment(m.omega, m.alpha, m.a - m.g, moved, still, still)
-        return np.asarray(add_force(w, f, np.zeros(3), tau))
+        return add_moved(scene, w, np.asarray(moved))
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """Twins keep the one that swings."""

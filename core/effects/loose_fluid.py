@@ -10,10 +10,11 @@ from core.array import Array
 from core.effects.effect import Parameter
 from core.effects.filters import low_pass
 from core.effects.likeness import AXES, find_most_alike
-from core.effects.payload_loose import SHARES, PayloadLoose
+from core.effects.payload_loose import SHARES, PayloadLoose, add_moved
 from core.effects.rigid_body import centre_of_mass
 from core.effects.scene import Scene
-from core.effects.vectors import add_force, find_specific_force, load_of_moment
+from core.effects.vectors import find_specific_force
+from core.payload.inertia import symmetric
 from core.words.message import Message
 
 ROUND_M_PER_S2 = 0.5
@@ -48,16 +49,13 @@ class LooseFluid(PayloadLoose):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus the wrench of the first moment that has moved."""
-        S = _form_matrix(theta)
+        S = symmetric(theta[1:])
         if not S.any():
             return w.copy()
-        m = scene.motion
-        b = find_specific_force(m, centre_of_mass(scene)) @ S
+        b = find_specific_force(scene.motion, centre_of_mass(scene)) @ S
         length = np.sqrt(np.einsum("ni,ni->n", b, b) + np.square(ROUND_M_PER_S2 * S).sum())
         moved = low_pass(-(b / length[:, None]) @ S, float(theta[0]), scene.period, scene.past("settling"))
-        still = np.zeros_like(moved)
-        f, tau = load_of_moment(m.omega, m.alpha, m.a - m.g, moved, still, still)
-        return np.asarray(add_force(w, f, np.zeros(3), tau))
+        return add_moved(scene, w, moved)
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """Twins keep the one that swings."""
@@ -71,11 +69,5 @@ class LooseFluid(PayloadLoose):
 
     def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises filling or emptying what it flows in: how far it moves the first moment to either side, kg mm, and in which time, s."""
-        first_moment = float(np.abs(np.linalg.eigvalsh(_form_matrix(theta))).max())
+        first_moment = float(np.abs(np.linalg.eigvalsh(symmetric(theta[1:]))).max())
         return Message.of("advice-payload-loose-fluid", first_moment_kg_m=first_moment, settling_s=float(theta[0]))
-
-
-def _form_matrix(theta: Array) -> Array:
-    """(3, 3), S."""
-    xx, xy, xz, yy, yz, zz = theta[1:]
-    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])

@@ -18,8 +18,8 @@ from core.effects.vectors import add_force, find_specific_force, load_of_moment
 from core.payload.inertia import Motion
 from core.words.message import Message
 
-LONGEST_STEP_S = 0.0025
-"""Of the integration."""
+LONGEST_STEP_S, MOST_STEPS = 0.0025, 16
+"""Of the integration, and how many from row to row: so many only in a search, which looks at few rows."""
 START_KG_M = 0.005
 START_HZ, START_DAMPING, FRICTIONS = 2.0, 0.2, (0.1, 0.4)
 """From which fits start."""
@@ -129,7 +129,7 @@ def _turn(
     """Angle, rad, and rate, rad/s, (N,) of a part that rests at first; p and q (N,) are the specific force along where it hangs at
     first and a quarter turn further, alpha (N,) the angular acceleration about the axis, straight between rows. Dry friction is taken off
     the rate of each step, down to rest (Moreau's time stepping); it stops dead so far back or forth from the start, rad."""
-    steps = max(1, int(np.ceil(period / LONGEST_STEP_S)))
+    steps = min(max(1, int(np.ceil(period / LONGEST_STEP_S))), MOST_STEPS)
     h, angle, rate = period / steps, np.empty_like(p), np.empty_like(p)
     phi, v, sin, cos = start, 0.0, np.sin(start), np.cos(start)
     for k in range(len(p)):

@@ -46,7 +46,7 @@ class LooseWithKnocks(PayloadLoose):
             return w.copy()
         m, r = scene.motion, centre_of_mass(scene) + theta[6:]
         b = find_specific_force(m, r)
-        u, rate = _slide(b @ d / size, scene.period, stop, drag, load / stop)
+        u, rate = slide(b @ d / size, scene.period, stop, drag, load / stop, 0.0)
         s, ds, dds = (np.outer(x / stop, d) for x in (u, rate, np.gradient(rate, scene.period)))
         f, tau = load_of_moment(m.omega, m.alpha, b, s, ds, dds)
         return np.asarray(add_force(w, f, r, tau))
@@ -67,8 +67,9 @@ class LooseWithKnocks(PayloadLoose):
 
 
 @njit(cache=True)
-def _slide(b: Array, period: float, stop: float, drag: float, spring: float) -> tuple[Array, Array]:
-    """Way and rate (N,) of `u'' = -b - spring u - drag u'` between stops that it does not bounce off, b (N,) straight between rows."""
+def slide(b: Array, period: float, stop: float, drag: float, spring: float, dry: float) -> tuple[Array, Array]:
+    """Way and rate (N,) of `u'' = -b - spring u - drag u'` between stops that it does not bounce off, b (N,) straight between rows. Dry
+    friction is taken off the rate of each step, down to rest (Moreau's time stepping)."""
     steps = max(1, int(np.ceil(period / LONGEST_STEP_S)))
     h, way, rate = period / steps, np.empty_like(b), np.empty_like(b)
     u = -b[0] / spring if spring > 0.0 else -np.sign(b[0]) * stop
@@ -76,7 +77,9 @@ def _slide(b: Array, period: float, stop: float, drag: float, spring: float) -> 
     for k in range(len(b)):
         for i in range(steps if k > 0 else 0):
             now = b[k - 1] + (b[k] - b[k - 1]) * (i + 0.5) / steps
-            v = (v - h * (now + spring * u)) / (1.0 + h * drag + h * h * spring)
+            v -= h * (now + spring * u)
+            v = max(0.0, v - h * dry) if v > 0.0 else min(0.0, v + h * dry)
+            v /= 1.0 + h * drag + h * h * spring
             u += h * v
             if abs(u) > stop:
                 u, v = stop if u > 0.0 else -stop, 0.0

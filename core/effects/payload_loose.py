@@ -13,6 +13,7 @@ from core.effects.oscillator import oscillate, spectral_peaks
 from core.effects.rigid_body import centre_of_mass
 from core.effects.scene import Scene
 from core.effects.vectors import add_force, find_specific_force, load_of_moment, turn, turn_back
+from core.payload.inertia import symmetric
 from core.payload.rotations import cross
 from core.words.message import Message
 
@@ -79,6 +80,14 @@ class PayloadLoose(Effect):
         return Message.of("advice-payload-loose", mass_share=sprung, sag_m=sag_m, frequency_hz=part.frequency_hz)
 
 
+def add_moved(scene: Scene, w: Array, moved: Array) -> Array:
+    """`w` (N, 6), N and N m, with a first moment that has moved by `moved` (N, 3), kg m, sensor axes, so slowly that its own motion adds
+    nothing."""
+    m, still = scene.motion, np.zeros_like(moved)
+    f, tau = load_of_moment(m.omega, m.alpha, m.a - m.g, moved, still, still)
+    return np.asarray(add_force(w, f, np.zeros(3), tau))
+
+
 def _compute_sprung_load(scene: Scene, part: _Part, b: Array) -> tuple[Array, Array]:
     """Force and torque about its place, (N, 3) each, that the sprung part adds; b (N, 3) is the specific force there."""
     start = np.stack([part.start, part.angular_frequency * part.start_rate])
@@ -120,8 +129,7 @@ class _Part:
     @property
     def shares(self) -> Array:
         """(3, 3)."""
-        xx, xy, xz, yy, yz, zz = self.theta[2:8]
-        return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        return symmetric(self.theta[2:8])
 
     @property
     def hanging_share(self) -> float:
