@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -43,8 +43,8 @@ MOST_TOGETHER, EXCHANGES = 3, 3
 EQUATIONS = 5
 """For each parameter of several effects at once, at least: a list of poses has few, and much would fit it."""
 ONE_IS_CLEAR = 3e-4
-"""Share of the excess left over by one effect below which none is started from the rows that most agree on: what spoils the first estimate
-leaves more to the others."""
+"""Share of the excess left over by one effect below which neither richer shapes are sought nor any started from the rows that most agree
+on: what spoils the first estimate leaves more to the others."""
 MUCH = 0.05
 """Share of the excess left over from which something is sought that could take up whatever is slow; with less the best set is compared
 with a rival that was sought as thoroughly."""
@@ -156,16 +156,30 @@ def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wi
     """Each effect by itself, in the shape that is most probable."""
     scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
     known = {term.effect.id: [term.theta] for term in windows.held}
-    tasks = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in effects]
+    plain = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in effects]
+    singles = _fit_shapes(windows, nominal, plain, known, fit_all)
+    if _one_is_clear(nominal, singles):
+        return singles
     richer = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider]
-    tasks += [task for task in richer if task.thetas]
-    smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
-    singles = choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
+    singles = choose_variants(nominal, [*singles, *_fit_shapes(windows, nominal, [task for task in richer if task.thetas], known, fit_all)])
     beside = [task for task in _start_beside(windows, nominal, singles, wider) if task.thetas]
     singles = choose_variants(nominal, [*singles, *fit_all(windows, beside)]) if beside else singles
     if find_left_share(nominal, min(singles, key=lambda fit: fit.chi_square, default=nominal)) > ONE_IS_CLEAR:
         singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, [*effects, *wider], fit_all)])
     return singles
+
+
+def _fit_shapes(windows: Windows, nominal: EffectFit, tasks: list[Task], known: Container[str], fit_all: FitAll) -> list[EffectFit]:
+    """The tasks, each in its smaller shape, too, unless the twin has the effect already."""
+    scene = windows.basis.scene.with_phi(nominal.phi)
+    smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
+    return choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
+
+
+def _one_is_clear(nominal: EffectFit, fits: list[EffectFit]) -> bool:
+    """Whether one fit explains a gap so large that whatever else does would show it by more than chance."""
+    best = min(fits, key=lambda fit: fit.chi_square, default=nominal)
+    return find_left_share(nominal, best) < ONE_IS_CLEAR and ONE_IS_CLEAR * (nominal.chi_square - nominal.rows) > 1.0
 
 
 def _start_beside(windows: Windows, nominal: EffectFit, fits: list[EffectFit], wider: list[Effect]) -> Iterator[Task]:

@@ -22,8 +22,9 @@ from core.effects.lowpass_that_opens import LowpassThatOpens
 from core.effects.ripple_that_varies import RippleThatVaries
 from core.effects.zeros_that_warm_up import ZerosThatWarmUp
 from core.gap.basis import basis_of
-from core.gap.evidence import EXPLAINED, gather
-from core.gap.fit_all import one_by_one
+from core.gap.effect_fit import EffectFit
+from core.gap.evidence import EXPLAINED, ONE_IS_CLEAR, gather
+from core.gap.fit_all import Task, one_by_one
 from core.gap.sound_gears import ONE_IS_ENOUGH
 from core.gap.weighing import find_left_share
 from core.gap.windows import Term, Windows
@@ -57,6 +58,23 @@ def test_a_richer_shape_is_sought_although_four_other_effects_explain_more_than_
     (effect,) = evidence.best.effects
     assert isinstance(effect, DelayThatGrows)
     assert evidence.attribution.explained[0][1] > EXPLAINED
+
+
+@pytest.mark.parametrize(("delay_s", "sought"), [(0.03, False), (0.0005, True)], ids=["large", "small"])
+def test_richer_shapes_are_sought_unless_a_plain_one_explains_a_large_gap(delay_s: float, sought: bool) -> None:
+    fitted: list[Effect] = []
+
+    def fit_all(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
+        fitted.extend(effect for task in tasks for effect in task.effects)
+        return one_by_one(windows, tasks)
+
+    recording = record(
+        run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(0), Imperfections(delay_s=delay_s)
+    )
+    evidence = gather(Windows(basis_of(recording)), few("time_delay", "sensor_gain", "sensor_offset_step"), fit_all)
+    (late,) = (fit for fit in evidence.singles if fit.name == "time_delay")
+    assert find_left_share(evidence.nominal, late) < ONE_IS_CLEAR  # in both
+    assert any(effect.wider_shape for effect in fitted) == sought
 
 
 def test_a_delay_that_changes_is_found_beside_a_jump_of_the_offset() -> None:
