@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.stats import binom, chi2
 
 from core.array import Array
 from core.gap.effect_fit import EffectFit
@@ -31,6 +32,13 @@ AT_A_POINT = 0.8
 """Share of the torque's square that a force at one point of the payload accounts for in each stretch, over all of them."""
 ONE_WAY = 0.5
 """Length of a stretch's mean force over its root mean square: who touches pushes; what shakes goes to and fro."""
+MOVES = 0.9
+"""Share of a stretch's rows in which the arm moves, from which on it lies within motion."""
+BY_CHANCE = 0.01
+"""Who touches chooses times and directions of his own: stretches that are so seldom all within motion by chance are made by it, like drag;
+forces whose impulses so seldom come to so little in all are those of a base that is moved and stands again,"""
+SEVERAL = 4
+"""from so many on: one push there and one back are no such thing."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +51,7 @@ class Contact:
         most_n: the largest, N.
         point: (3,), where it acts, m, sensor axes.
         off_point, one_way: as `AT_A_POINT` (the rest of that share) and `ONE_WAY` count them.
+        moving: share of its rows in which the arm moves.
     """
 
     begin_s: float
@@ -52,6 +61,12 @@ class Contact:
     point: Array
     off_point: float
     one_way: float
+    moving: float
+
+    @property
+    def impulse(self) -> Array:
+        """(3,), N s, base axes."""
+        return self.force * (self.end_s - self.begin_s)
 
 
 @dataclass(frozen=True)
@@ -87,9 +102,17 @@ def find_contacts(windows: Windows, nominal: EffectFit) -> Contacts | None:
         return None  # who touches begins to touch: what is there from the first row on may be anything
     wider = _leave_margins(windows.centres, stretches)
     free = wider if wider.mean() >= FREE else free
-    wrench, rotation = -windows.unwhiten(residual), windows.average_rotation()
-    found = tuple(_describe(windows.centres[rows], wrench[rows], rotation[rows]) for rows in stretches)
-    return Contacts(found, free) if _are_pushes(found) else None
+    wrench, rotation, moves = -windows.unwhiten(residual), windows.average_rotation(), _find_motion(windows)
+    found = tuple(_describe(windows.centres[rows], wrench[rows], rotation[rows], float(moves[rows].mean())) for rows in stretches)
+    own = not _come_with_motion(found, float(moves.mean())) and not _cancel_out(found)
+    return Contacts(found, free) if own and _are_pushes(found) else None
+
+
+def _find_motion(windows: Windows) -> NDArray[np.bool_]:
+    """(K,), whether the arm moves in each row."""
+    scene = windows.basis.scene
+    moves = ~np.char.startswith(scene.phase, "hold")
+    return np.asarray(np.interp(windows.centres, scene.t, moves.astype(float)) > 0.5)
 
 
 def _leave_margins(t: Array, stretches: list[slice]) -> NDArray[np.bool_]:
@@ -119,8 +142,9 @@ def _trim(run: NDArray[np.intp], size: Array) -> slice:
     return slice(int(above[0]), int(above[-1]) + 1)
 
 
-def _describe(t: Array, wrench: Array, rotation: Array) -> Contact:
-    """A stretch with times t (K,), the wrench on the payload (K, 6), sensor axes, and the sensor's axes in the base (K, 3, 3)."""
+def _describe(t: Array, wrench: Array, rotation: Array, moving: float) -> Contact:
+    """A stretch with times t (K,), the wrench on the payload (K, 6), sensor axes, the sensor's axes in the base (K, 3, 3), and the share of
+    it in which the arm moves."""
     force, torque = wrench[:, :3], wrench[:, 3:]
     arms = np.stack([cross(axis, force) for axis in np.eye(3)], axis=2).reshape(-1, 3)
     point = np.asarray(np.linalg.lstsq(arms, torque.ravel(), rcond=1e-2)[0], dtype=np.float64)
@@ -128,7 +152,7 @@ def _describe(t: Array, wrench: Array, rotation: Array) -> Contact:
     in_base = np.einsum("kij,kj->ki", rotation, force)
     mean, size = in_base.mean(axis=0), np.linalg.norm(force, axis=1)
     one_way = float(np.linalg.norm(mean) / max(float(np.sqrt(np.square(size).mean())), 1e-300))
-    return Contact(float(t[0]), float(t[-1]), mean, float(size.max()), point, off, one_way)
+    return Contact(float(t[0]), float(t[-1]), mean, float(size.max()), point, off, one_way, moving)
 
 
 def _are_pushes(found: tuple[Contact, ...]) -> bool:
@@ -136,3 +160,17 @@ def _are_pushes(found: tuple[Contact, ...]) -> bool:
     weights = np.square([contact.most_n for contact in found])
     off = np.average([contact.off_point for contact in found], weights=weights)
     return bool(off <= 1.0 - AT_A_POINT and np.average([contact.one_way for contact in found], weights=weights) >= ONE_WAY)
+
+
+def _come_with_motion(found: tuple[Contact, ...], moving: float) -> bool:
+    """Whether so many of the stretches lie within motion as chance hardly gives, `moving` being the share of motion in the recording."""
+    within = sum(contact.moving >= MOVES for contact in found)
+    return bool(binom.sf(within - 1, len(found), moving) < BY_CHANCE)
+
+
+def _cancel_out(found: tuple[Contact, ...]) -> bool:
+    """Whether the impulses come to less in all than those of independent directions do (Rayleigh's test in three dimensions, its lower
+    tail)."""
+    impulses = np.array([contact.impulse for contact in found])
+    sums, squares = float(np.square(impulses.sum(axis=0)).sum()), float(np.square(impulses).sum())
+    return len(found) >= SEVERAL and bool(chi2.cdf(3.0 * sums / max(squares, 1e-300), 3) < BY_CHANCE)

@@ -253,18 +253,18 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
     firsts = joinable[:FIRSTS]
     if not firsts:
         return []
-    fitted = {fit.name: fit for fit in joinable}
+    fitted = {_shapes_of(fit): fit for fit in joinable}
     found: list[EffectFit] = []
     while _leaves_more(windows, nominal, firsts[0]) and len(firsts[0].effects) < MOST_TOGETHER:
-        seen, grown = {first.name for first in firsts}, _fit_with_partners(windows, nominal, firsts, effects, fit_all)
+        seen, grown = {_shapes_of(first) for first in firsts}, _fit_with_partners(windows, nominal, firsts, effects, fit_all)
         for _ in range(EXCHANGES):
             near = RIVALS if grown and find_left_share(nominal, grown[0]) < MUCH else 1
-            rests = [rest for fit in grown[:near] for rest in leave_out_each(windows, fit) if rest.name not in seen]
+            rests = [rest for fit in grown[:near] for rest in leave_out_each(windows, fit) if _shapes_of(rest) not in seen]
             if not rests:
                 break
-            seen |= {rest.name for rest in rests}
-            fitted |= {fit.name: fit for fit in fit_all(windows, [rest for rest in rests if rest.name not in fitted])}
-            further = _fit_with_partners(windows, nominal, [fitted[rest.name] for rest in rests], effects, fit_all)
+            seen |= {_shapes_of(rest) for rest in rests}
+            fitted |= {_shapes_of(fit): fit for fit in fit_all(windows, [rest for rest in rests if _shapes_of(rest) not in fitted])}
+            further = _fit_with_partners(windows, nominal, [fitted[_shapes_of(rest)] for rest in rests], effects, fit_all)
             grown = _take_each_once(nominal, [*grown, *further])
         if not grown:
             break
@@ -273,6 +273,10 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
         firsts, found = grown[:1], [*grown, *found]
     rests_of_three = [fit for fit in fitted.values() if len(fit.effects) > 1]
     return _take_most_first(nominal, [*found, *rests_of_three])
+
+
+def _shapes_of(of: EffectFit | Task) -> tuple[type[Effect], ...]:
+    return tuple(type(effect) for effect in of.effects)
 
 
 def _resort_to(

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.integrate import cumulative_trapezoid
 from scipy.interpolate import PchipInterpolator
 
 from core.effects.effect import Effect
@@ -104,6 +105,27 @@ def test_a_force_that_is_there_from_the_beginning_on_is_no_contact(run: Run) -> 
 
 def test_what_shakes_the_payload_to_and_fro_is_no_contact(run: Run) -> None:
     assert found_in(push(record(run, payload("steel_block"), np.random.default_rng(5)), run, shaken(run), (0.0, 0.0, 0.1))) is None
+
+
+def test_drag_that_every_motion_meets_is_no_contact_although_each_motion_pushes_one_way(run: Run) -> None:
+    velocity = cumulative_trapezoid(run.a, run.t, axis=0, initial=0.0)
+    drag = -200.0 * np.linalg.norm(velocity, axis=1, keepdims=True) * velocity
+    still, point = record(run, payload("steel_block"), np.random.default_rng(10)), (0.02, -0.01, 0.09)
+    assert found_in(push(still, run, drag, point)) is None
+    once = np.where((run.t > run.t[0] + 0.4 * np.ptp(run.t))[:, None], 0.0, drag)
+    some = found_in(push(still, run, once, point))
+    assert some is None or len(some.found) < 12
+
+
+def test_a_base_that_is_moved_and_stands_again_is_no_contact(run: Run) -> None:
+    still, point = record(run, payload("steel_block"), np.random.default_rng(11)), (0.02, -0.01, 0.09)
+    for back, expected in ((-1.0, None), (1.0, 6)):
+        force = np.zeros((len(run.t), 3))
+        for k, begin in enumerate(run.t[0] + np.linspace(0.1, 0.85, 6) * np.ptp(run.t)):
+            bump = np.sin(np.pi * np.clip((run.t - begin) / 0.6, 0.0, 1.0)) ** 2
+            force += 15.0 * (back if k % 2 else 1.0) * bump[:, None] * [0.8, 0.6, 0.0]
+        contacts = found_in(push(still, run, force, point))
+        assert (None if contacts is None else len(contacts.found)) == expected
 
 
 def test_a_force_without_the_torque_of_any_point_is_no_contact(run: Run) -> None:
