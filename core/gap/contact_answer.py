@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import reduce
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.effects.effect import Effect
 from core.effects.external_contact import ExternalContact
@@ -15,9 +16,9 @@ from core.gap.answer import ContactPart, Diagnosis, Explanation, Pair, PayloadPa
 from core.gap.answering import answer, describe_gap, describe_payload, describe_values, with_likely
 from core.gap.attribution import Attribution
 from core.gap.closure import closure_of, gap_of
-from core.gap.contacts import Contact, Contacts, find_contacts
+from core.gap.contacts import Contact, Contacts, find_contacts, find_free, keep_rows
 from core.gap.effect_fit import EffectFit
-from core.gap.evidence import EXPLAINED, Evidence, gather
+from core.gap.evidence import EXPLAINED, Evidence, fit_again, gather
 from core.gap.fit_all import FitAll
 from core.gap.materiality import payload_shift
 from core.gap.problem import Problem
@@ -29,6 +30,8 @@ from core.words.message import Message
 
 CONTACT = ExternalContact()
 NOT_ADDABLE = Message.of("gap-contact-passes")
+BESIDE = 2
+"""Single effects beside which contacts are sought."""
 UNITS = {"s": "s", "n": "N", "m": "m"}
 
 
@@ -53,12 +56,33 @@ class Touched:
 
 
 def find_touched(evidence: Evidence, effects: Sequence[Effect], fit_all: FitAll) -> Touched | None:
-    """What contacts explain of a gap that no effect explains; None where they explain too little of it."""
+    """What contacts explain of a gap that no effect explains, by themselves or beside one of the best single effects; None where they
+    explain too little of it."""
     windows, nominal = evidence.windows, evidence.nominal
-    contacts = find_contacts(windows, nominal)
-    if contacts is None:
+    others = sorted((fit for fit in evidence.singles if fit.name != CONTACT.id), key=lambda fit: fit.chi_square)[:BESIDE]
+    for found in (find_contacts(windows, nominal), *(_find_beside(windows, fit, fit_all) for fit in others)):
+        touched = None if found is None else _diagnose_rest(evidence, found, effects, fit_all)
+        if touched is not None:
+            return touched
+    return None
+
+
+def _find_beside(windows: Windows, fit: EffectFit, fit_all: FitAll) -> Contacts | None:
+    """Contacts beside an effect. Its fit to all rows is bent by them, so it is fitted again to those that this one does not miss by far."""
+    free = find_free(windows, fit)
+    if free is None or free.all():
         return None
-    free = contacts.leave_out(windows)
+    rest = keep_rows(windows, free)
+    if rest.X.shape[2] != windows.X.shape[2]:
+        return None
+    (again,) = fit_all(rest, [fit_again(fit, fit)])
+    return find_contacts(windows, _carry_over(windows, again, free))
+
+
+def _diagnose_rest(evidence: Evidence, contacts: Contacts, effects: Sequence[Effect], fit_all: FitAll) -> Touched | None:
+    """The diagnosis of what contacts leave free; None where that does not make an answer of them."""
+    windows, nominal = evidence.windows, evidence.nominal
+    free = keep_rows(windows, contacts.free)
     if free.X.shape[2] != windows.X.shape[2]:
         return None  # nothing is free between two pauses: nobody knows what the sensor reads without a load there
     rest = gather(free, effects, fit_all)
@@ -70,16 +94,16 @@ def find_touched(evidence: Evidence, effects: Sequence[Effect], fit_all: FitAll)
         probability *= rest.attribution.explained[0][1]
     if probability < EXPLAINED:
         return None
-    alone, best = (_carry_over(windows, fit, contacts) for fit in (rest.nominal, explained))
+    alone, best = (_carry_over(windows, fit, contacts.free) for fit in (rest.nominal, explained))
     return Touched(contacts, rest, alone, best, probability, unknown)
 
 
-def _carry_over(windows: Windows, fit: EffectFit, contacts: Contacts) -> EffectFit:
-    """A fit to the free rows, on all of them."""
+def _carry_over(windows: Windows, fit: EffectFit, free: NDArray[np.bool_]) -> EffectFit:
+    """A fit to the free rows (K,), on all of them."""
     problem, shape = Problem(windows, fit.effects), windows.target.shape
     change = problem.linearise(fit.theta, fit.phi)[0].reshape(shape) if fit.effects or problem.held else np.zeros(shape)
     held_out = np.ones(shape)
-    held_out[:, contacts.free] = fit.held_out
+    held_out[:, free] = fit.held_out
     return replace(fit, residual=windows.target - windows.X @ fit.beta - change, held_out=held_out, change=change)
 
 

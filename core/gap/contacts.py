@@ -81,23 +81,14 @@ class Contacts:
         """The one with the largest force."""
         return max(self.found, key=lambda contact: contact.most_n)
 
-    def leave_out(self, windows: Windows) -> Windows:
-        """The same recording without the rows in which something touched it."""
-        rows = windows.basis.rows
-        kept = replace(rows, centres=rows.centres[self.free], average=rows.average[self.free], part=rows.part[self.free])
-        return Windows(replace(windows.basis, rows=kept), windows.held)
 
-
-def find_contacts(windows: Windows, nominal: EffectFit) -> Contacts | None:
-    """When something touched the payload; None where nothing did, or where what leaves the payload does not look like that."""
-    if windows.basis.scene.apart or len(windows) < PARTS * DRAWN:
+def find_contacts(windows: Windows, fit: EffectFit) -> Contacts | None:
+    """When something touched the payload, beside what a fit has added to the twin; None where nothing did, or where what leaves the payload
+    does not look like that."""
+    seen = _find_astray(windows, fit)
+    if seen is None:
         return None
-    target = windows.target - nominal.change
-    residual = target - windows.X @ fit_most(windows, target)
-    stretches = find_stretches(windows.centres, np.sqrt((residual**2).mean(axis=0)))
-    free = np.ones(len(windows), dtype=bool)
-    for rows in stretches:
-        free[rows] = False
+    residual, stretches, free = seen
     if not stretches or stretches[0].start == 0 or free.mean() < FREE:
         return None  # who touches begins to touch: what is there from the first row on may be anything
     wider = _leave_margins(windows.centres, stretches)
@@ -106,6 +97,33 @@ def find_contacts(windows: Windows, nominal: EffectFit) -> Contacts | None:
     found = tuple(_describe(windows.centres[rows], wrench[rows], rotation[rows], float(moves[rows].mean())) for rows in stretches)
     own = not _come_with_motion(found, float(moves.mean())) and not _cancel_out(found)
     return Contacts(found, free) if own and _are_pushes(found) else None
+
+
+def find_free(windows: Windows, fit: EffectFit) -> NDArray[np.bool_] | None:
+    """(K,), the rows which most agree on beside what a fit has added to the twin; None where that is too few."""
+    seen = _find_astray(windows, fit)
+    return None if seen is None or seen[2].mean() < FREE else seen[2]
+
+
+def keep_rows(windows: Windows, kept: NDArray[np.bool_]) -> Windows:
+    """The same recording with some of its rows (K,) alone."""
+    rows = windows.basis.rows
+    rest = replace(rows, centres=rows.centres[kept], average=rows.average[kept], part=rows.part[kept])
+    return Windows(replace(windows.basis, rows=rest), windows.held)
+
+
+def _find_astray(windows: Windows, fit: EffectFit) -> tuple[Array, list[slice], NDArray[np.bool_]] | None:
+    """The residual (6, K), whitened, of the payload that most rows agree on, the stretches in which it is large, and the rows (K,) outside
+    of them; None of recordings that are too short."""
+    if windows.basis.scene.apart or len(windows) < PARTS * DRAWN:
+        return None
+    target = windows.target - fit.change
+    residual = target - windows.X @ fit_most(windows, target)
+    stretches = find_stretches(windows.centres, np.sqrt((residual**2).mean(axis=0)))
+    free = np.ones(len(windows), dtype=bool)
+    for rows in stretches:
+        free[rows] = False
+    return residual, stretches, free
 
 
 def _find_motion(windows: Windows) -> NDArray[np.bool_]:

@@ -207,10 +207,10 @@ def _hold(windows: Windows, gears: Term, singles: list[EffectFit], fit_all: FitA
     """Everything fitted so far once more, with gears that are always on."""
     windows = hold_gears(windows, gears)
     nominal = fit_nominal(windows)
-    return windows, nominal, fit_all(windows, [_fit_again(fit, nominal) for fit in singles])
+    return windows, nominal, fit_all(windows, [fit_again(fit, nominal) for fit in singles])
 
 
-def _fit_again(fit: EffectFit, nominal: EffectFit) -> Task:
+def fit_again(fit: EffectFit, nominal: EffectFit) -> Task:
     """The same shape of an effect, from where it was."""
     return Task(fit.effects, nominal, [fit.theta], len(fit.theta) - fit.kept_absent if fit.kept_absent else None)
 

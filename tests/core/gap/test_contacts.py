@@ -15,7 +15,7 @@ from core.effects.library import library
 from core.gap.answer import Diagnosis
 from core.gap.basis import basis_of
 from core.gap.contact_answer import find_touched
-from core.gap.contacts import find_contacts, find_stretches
+from core.gap.contacts import MARGIN_S, find_contacts, find_stretches
 from core.gap.diagnosis import diagnose
 from core.gap.effect_fit import fit_nominal
 from core.gap.evidence import Evidence, gather
@@ -168,6 +168,22 @@ def test_pushes_and_a_base_that_is_not_level_are_both_named_and_the_payload_is_t
     assert len({each.id for each in diagnosis.effects}) == len(diagnosis.effects)
     total = sum(each.probability for each in (*diagnosis.effects, *diagnosis.pairs))
     assert total + diagnosis.none_probability + diagnosis.unknown_probability == pytest.approx(1.0)
+
+
+def test_a_push_through_which_the_zero_jumps_is_named_with_the_jump(run: Run) -> None:
+    (begin, end), force = spans_of(run)[2], hand(run, 12, most_n=8.0)
+    force[run.t < begin] = 0.0
+    force[run.t > end] = 0.0
+    pushed = push(record(run, payload("steel_block"), np.random.default_rng(12)), run, force, (0.02, -0.01, 0.09))
+    jump = (run.t > 0.5 * (begin + end))[:, None] * [-2.0, 0.5, -1.0, -0.05, 0.02, -0.03]
+    names = ("external_contact", "sensor_offset_step", "payload_shift", "sensor_drift")
+    told = diagnose(replace(pushed, wrench=pushed.wrench + jump), [effect for effect in library() if effect.id in names])
+    assert told.verdict == "explained"
+    assert told.pairs[0].ids == ("external_contact", "sensor_offset_step")
+    at_s = told.pairs[0].parameters["sensor_offset_step"]["step_time_s"].value + run.t[0]
+    assert begin - MARGIN_S <= at_s <= end + MARGIN_S  # nobody sees when: what is beside a push is left out with it
+    (part,) = told.where.contacts
+    assert (part.begin_s, part.end_s) == pytest.approx((begin, end), abs=0.2)
 
 
 def test_the_stretches_are_told_in_the_answer_and_to_the_person_at_the_robot(diagnosis: Diagnosis, run: Run) -> None:
