@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -60,15 +61,17 @@ def find_touched(evidence: Evidence, effects: Sequence[Effect], fit_all: FitAll)
     explain too little of it."""
     windows, nominal = evidence.windows, evidence.nominal
     others = sorted((fit for fit in evidence.singles if fit.name != CONTACT.id), key=lambda fit: fit.chi_square)[:BESIDE]
-    for found in (find_contacts(windows, nominal), *(_find_beside(windows, fit, fit_all) for fit in others)):
+    beside = (_find_beside(windows, nominal, fit, fit_all) for fit in others)
+    for found in chain([find_contacts(windows, nominal)], beside):
         touched = None if found is None else _diagnose_rest(evidence, found, effects, fit_all)
         if touched is not None:
             return touched
     return None
 
 
-def _find_beside(windows: Windows, fit: EffectFit, fit_all: FitAll) -> Contacts | None:
-    """Contacts beside an effect. Its fit to all rows is bent by them, so it is fitted again to those that this one does not miss by far."""
+def _find_beside(windows: Windows, nominal: EffectFit, fit: EffectFit, fit_all: FitAll) -> Contacts | None:
+    """Contacts beside an effect, which explains the rest. Its fit to all rows is bent by them, so it is fitted again to those that this one
+    does not miss by far."""
     free = find_free(windows, fit)
     if free is None or free.all():
         return None
@@ -76,7 +79,8 @@ def _find_beside(windows: Windows, fit: EffectFit, fit_all: FitAll) -> Contacts 
     if rest.X.shape[2] != windows.X.shape[2]:
         return None
     (again,) = fit_all(rest, [fit_again(fit, fit)])
-    return find_contacts(windows, _carry_over(windows, again, free))
+    _, probability = _doubt(nominal, again)
+    return find_contacts(windows, _carry_over(windows, again, free)) if probability >= EXPLAINED else None
 
 
 def _diagnose_rest(evidence: Evidence, contacts: Contacts, effects: Sequence[Effect], fit_all: FitAll) -> Touched | None:
@@ -87,8 +91,7 @@ def _diagnose_rest(evidence: Evidence, contacts: Contacts, effects: Sequence[Eff
         return None  # nothing is free between two pauses: nobody knows what the sensor reads without a load there
     rest = gather(free, effects, fit_all)
     explained = rest.best if rest.verdict == "explained" and len(rest.best.effects) == 1 else rest.nominal
-    unknown, lapse = map(float, find_doubts(np.array(find_left_share(nominal, explained)), read_figures().figures))
-    probability = (1.0 - unknown) * (1.0 - lapse)
+    unknown, probability = _doubt(nominal, explained)
     if explained.effects:  # two claims: that it was touched, and what the rest shows
         unknown = 1.0 - (1.0 - unknown) * (1.0 - rest.attribution.unknown)
         probability *= rest.attribution.explained[0][1]
@@ -96,6 +99,12 @@ def _diagnose_rest(evidence: Evidence, contacts: Contacts, effects: Sequence[Eff
         return None
     alone, best = (_carry_over(windows, fit, contacts.free) for fit in (rest.nominal, explained))
     return Touched(contacts, rest, alone, best, probability, unknown)
+
+
+def _doubt(nominal: EffectFit, rest: EffectFit) -> tuple[float, float]:
+    """Probabilities that nothing of the library is why there is a gap, and that what the rest leaves out is."""
+    unknown, lapse = map(float, find_doubts(np.array(find_left_share(nominal, rest)), read_figures().figures))
+    return unknown, (1.0 - unknown) * (1.0 - lapse)
 
 
 def _carry_over(windows: Windows, fit: EffectFit, free: NDArray[np.bool_]) -> EffectFit:

@@ -253,18 +253,20 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
     firsts = joinable[:FIRSTS]
     if not firsts:
         return []
-    fitted = {_shapes_of(fit): fit for fit in joinable}
+    fitted = {key: fit for fit in joinable for key in _keys_of(fit)}
     found: list[EffectFit] = []
     while _leaves_more(windows, nominal, firsts[0]) and len(firsts[0].effects) < MOST_TOGETHER:
-        seen, grown = {_shapes_of(first) for first in firsts}, _fit_with_partners(windows, nominal, firsts, effects, fit_all)
+        seen, grown = {key for first in firsts for key in _keys_of(first)}, _fit_with_partners(windows, nominal, firsts, effects, fit_all)
         for _ in range(EXCHANGES):
-            near = RIVALS if grown and find_left_share(nominal, grown[0]) < MUCH else 1
-            rests = [rest for fit in grown[:near] for rest in leave_out_each(windows, fit) if _shapes_of(rest) not in seen]
+            little = bool(grown) and find_left_share(nominal, grown[0]) < MUCH
+            rests = {_keys_of(rest)[little]: rest for fit in grown[: RIVALS if little else 1] for rest in leave_out_each(windows, fit)}
+            rests = {key: rest for key, rest in rests.items() if key not in seen}
             if not rests:
                 break
-            seen |= {_shapes_of(rest) for rest in rests}
-            fitted |= {_shapes_of(fit): fit for fit in fit_all(windows, [rest for rest in rests if _shapes_of(rest) not in fitted])}
-            further = _fit_with_partners(windows, nominal, [fitted[_shapes_of(rest)] for rest in rests], effects, fit_all)
+            seen |= {key for rest in rests.values() for key in _keys_of(rest)}
+            new = fit_all(windows, [rest for key, rest in rests.items() if key not in fitted])
+            fitted |= {key: fit for fit in new for key in _keys_of(fit)}
+            further = _fit_with_partners(windows, nominal, [fitted[key] for key in rests], effects, fit_all)
             grown = _take_each_once(nominal, [*grown, *further])
         if not grown:
             break
@@ -275,8 +277,9 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
     return _take_most_first(nominal, [*found, *rests_of_three])
 
 
-def _shapes_of(of: EffectFit | Task) -> tuple[type[Effect], ...]:
-    return tuple(type(effect) for effect in of.effects)
+def _keys_of(of: EffectFit | Task) -> tuple[str, str]:
+    """What it is found again by where much is left, and any of its shapes will do, and where little is: the effects, and their shapes."""
+    return of.name, "+".join(f"{effect.id} {type(effect).__name__}" for effect in of.effects)
 
 
 def _resort_to(
