@@ -259,8 +259,8 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
         seen, grown = {key for first in firsts for key in _keys_of(first)}, _fit_with_partners(windows, nominal, firsts, effects, fit_all)
         for _ in range(EXCHANGES):
             little = bool(grown) and find_left_share(nominal, grown[0]) < MUCH
-            rests = {_keys_of(rest)[little]: rest for fit in grown[: RIVALS if little else 1] for rest in leave_out_each(windows, fit)}
-            rests = {key: rest for key, rest in rests.items() if key not in seen}
+            each = (rest for fit in grown[: RIVALS if little else 1] for rest in leave_out_each(windows, fit))
+            rests = {key: rest for rest in each if (key := _name_shapes(rest) if little else rest.name) not in seen}
             if not rests:
                 break
             seen |= {key for rest in rests.values() for key in _keys_of(rest)}
@@ -278,8 +278,12 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
 
 
 def _keys_of(of: EffectFit | Task) -> tuple[str, str]:
-    """What it is found again by where much is left, and any of its shapes will do, and where little is: the effects, and their shapes."""
-    return of.name, "+".join(f"{effect.id} {type(effect).__name__}" for effect in of.effects)
+    """What a set of effects is found again by: where much is left any of its shapes will do, where little is only these."""
+    return of.name, _name_shapes(of)
+
+
+def _name_shapes(of: EffectFit | Task) -> str:
+    return "+".join(f"{effect.id} as {type(effect).__name__}" for effect in of.effects)
 
 
 def _resort_to(

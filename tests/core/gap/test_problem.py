@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from core.effects.payload_shift import PayloadShift
+from core.effects.sensor_offset_step import SensorOffsetStep
 from core.effects.time_delay import TimeDelay
 from core.gap.basis import basis_of
+from core.gap.contacts import keep_rows
+from core.gap.effect_fit import fit_effects, fit_nominal
 from core.gap.problem import Problem
 from core.gap.windows import Windows
 from tests.synthetic import payload, record, run_of
@@ -30,3 +35,16 @@ def test_derivatives_are_those_of_the_point_that_is_asked_for_wherever_the_last_
     later = here + step * np.eye(len(here))[-1]
     slope = (problem.linearise(later, phi)[0] - problem.linearise(here, phi)[0]) / step
     np.testing.assert_allclose(slope, problem.linearise(here, phi)[1][:, -1], rtol=0.02, atol=0.02 * np.abs(slope).max())
+
+
+def test_a_jump_that_nobody_saw_is_fitted_where_it_may_have_been() -> None:
+    recording = record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(0))
+    jump = np.array([-2.0, 0.5, -1.0, -0.05, 0.02, -0.03])
+    late = np.array(recording.wrench) + (recording.t > recording.t[0] + 10.0)[:, None] * jump
+    whole = Windows(basis_of(replace(recording, wrench=late)))
+    seen = keep_rows(whole, np.abs(whole.centres - recording.t[0] - 10.0) > 3.0)  # far from the middle of the run, where its prior is
+    start = np.append(0.1 * jump, 9.0)
+    fit = fit_effects(seen, (SensorOffsetStep(),), fit_nominal(seen), [start])
+    assert 7.0 < fit.theta[-1] < 13.0
+    np.testing.assert_allclose(fit.theta[:6], jump, atol=0.1)
+    assert fit.chi_square < 1.1 * fit.rows
