@@ -157,7 +157,7 @@ def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wi
     scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
     known = {term.effect.id: [term.theta] for term in windows.held}
     plain = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in effects]
-    singles = _fit_shapes(windows, nominal, plain, known, fit_all)
+    singles = choose_variants(nominal, _fit_shapes(windows, nominal, plain, known, fit_all))
     if _one_is_clear(nominal, singles):
         return singles
     richer = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider]
@@ -173,7 +173,7 @@ def _fit_shapes(windows: Windows, nominal: EffectFit, tasks: list[Task], known: 
     """The tasks, each in its smaller shape, too, unless the twin has the effect already."""
     scene = windows.basis.scene.with_phi(nominal.phi)
     smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
-    return choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
+    return fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)])
 
 
 def _one_is_clear(nominal: EffectFit, fits: list[EffectFit]) -> bool:

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.integrate import cumulative_trapezoid
 from scipy.interpolate import PchipInterpolator
 
 from core.effects.effect import Effect
@@ -107,14 +106,22 @@ def test_what_shakes_the_payload_to_and_fro_is_no_contact(run: Run) -> None:
     assert found_in(push(record(run, payload("steel_block"), np.random.default_rng(5)), run, shaken(run), (0.0, 0.0, 0.1))) is None
 
 
-def test_drag_that_every_motion_meets_is_no_contact_although_each_motion_pushes_one_way(run: Run) -> None:
-    velocity = cumulative_trapezoid(run.a, run.t, axis=0, initial=0.0)
-    drag = -200.0 * np.linalg.norm(velocity, axis=1, keepdims=True) * velocity
-    still, point = record(run, payload("steel_block"), np.random.default_rng(10)), (0.02, -0.01, 0.09)
-    assert found_in(push(still, run, drag, point)) is None
-    once = np.where((run.t > run.t[0] + 0.4 * np.ptp(run.t))[:, None], 0.0, drag)
-    some = found_in(push(still, run, once, point))
-    assert some is None or len(some.found) < 12
+@pytest.mark.parametrize("with_motion", [True, False])
+def test_pushes_that_come_with_motion_alone_are_what_the_motion_makes(run: Run, with_motion: bool) -> None:
+    rng, lasts_s = np.random.default_rng(10), 0.4
+    moves = ~np.char.startswith(run.phase, "hold")
+    begins = [
+        begin
+        for begin in np.arange(run.t[0] + 1.0, run.t[-1] - 1.0, 0.8)
+        if not with_motion or moves[(run.t > begin - 0.1) & (run.t < begin + lasts_s + 0.1)].all()
+    ]
+    force = np.zeros((len(run.t), 3))
+    for begin in begins:
+        bump = np.sin(np.pi * np.clip((run.t - begin) / lasts_s, 0.0, 1.0)) ** 2
+        force += bump[:, None] * rng.normal((10.0, 0.0, 0.0), 3.0)
+    contacts = found_in(push(record(run, payload("steel_block"), rng), run, force, (0.02, -0.01, 0.09)))
+    assert len(begins) > 20
+    assert (contacts is None) == with_motion
 
 
 def test_a_base_that_is_moved_and_stands_again_is_no_contact(run: Run) -> None:
