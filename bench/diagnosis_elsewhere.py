@@ -22,7 +22,7 @@ import numpy as np
 from scipy.signal import lfilter
 from threadpoolctl import threadpool_limits
 
-from core.array import Array
+from core.array import Array, interpolate
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
@@ -121,7 +121,7 @@ def tilt(stage: Stage) -> None:
 def late(stage: Stage) -> None:
     """The wrench is 14 ms late."""
     t = stage.run.t
-    stage.wrench = np.column_stack([np.interp(t - 0.014, t, channel) for channel in stage.wrench.T])
+    stage.wrench = interpolate(t - 0.014, t, stage.wrench)
 
 
 @case("joint_offset")
@@ -289,7 +289,7 @@ def record_over_background(stage: Stage, clean: Array, rng: np.random.Generator,
     leaning = wrench_of(run, body, GRAVITY + np.cross([*tilted, 0.0], GRAVITY)) - wrench_of(run, body)
     w = (stage.wrench + leaning) * (1.0 + background * GAIN * rng.normal(size=6))
     shaken = run.t + background * STAMP_S * rng.normal(size=len(run.t))
-    w = np.column_stack([np.interp(shaken, run.t, channel) for channel in w.T])
+    w = interpolate(shaken, run.t, w)
     zeros = background * np.radians(ZEROS_DEG) * rng.normal(size=run.q.shape[1])
     blank = record(run, body, rng, Imperfections(noise_std=noise * NOISE_STD, resolution=None))
     read = blank.q if blank.q is None else blank.q + (stage.read - run.q) + zeros

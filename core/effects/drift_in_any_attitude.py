@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.effects.drift_that_wanders import CHANGES, KNOTS, DriftThatWanders, find_spacing
 from core.effects.scene import Scene
 from core.effects.sensor_drift import SensorDrift
@@ -39,10 +39,10 @@ def wanders_in_any_attitude(scene: Scene, residual: Array) -> bool:
     if scene.apart or len(residual) < 8 * KNOTS:
         return False
     rows = slice(0, None, max(1, len(scene) // ROWS))
-    at, wanted = find_spacing(scene) * np.arange(KNOTS + 1), residual[rows]
+    at, wanted = np.linspace(0.0, KNOTS * find_spacing(scene), KNOTS + 1), residual[rows]
     ramps = np.clip((scene.elapsed[rows, None] - at[:-1]) / at[1], 0.0, 1.0)
     steps, share = _fit_walk(ramps, wanted, np.linalg.qr(columns_of_payload_and_offsets(scene, rows).reshape(wanted.size, -1))[0])
-    g = np.column_stack([np.interp(at, scene.elapsed, axis) for axis in scene.motion.g.T])
+    g = interpolate(at, scene.elapsed, scene.motion.g)
     turns = np.linalg.norm(np.diff(g, axis=0), axis=1)[at[:-1] < scene.elapsed[-1]]
     order, third = np.argsort(turns), len(turns) // 3
     still, turning = (float(np.square(steps[some]).mean()) for some in (order[:third], order[-third:]))

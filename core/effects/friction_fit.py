@@ -9,7 +9,7 @@ import numpy as np
 import pinocchio as pin
 from scipy.signal import savgol_filter
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
 
@@ -55,7 +55,7 @@ class FrictionSignals:
             return None
         t = np.linspace(recording.t[0], recording.t[-1], len(q))
         period = float(t[1] - t[0])
-        q, signal = _at(t, recording.t, q), _at(t, recording.t, raw)
+        q, signal = interpolate(t, recording.t, q), interpolate(t, recording.t, raw)
         window = min(max(5, 2 * round(0.5 * SMOOTHING / period) + 1), len(q) // 2 * 2 - 1)
         rows = slice(0, None, max(1, round(SPACING / period)))
         dq_full = savgol_filter(q, window, 3, deriv=1, delta=period, axis=0)
@@ -78,7 +78,7 @@ class FrictionSignals:
             signal = signal - Y @ np.concatenate([body.toDynamicParameters() for body in list(model.inertias)[1:]])
         if recording.wrench is not None:
             J = robot_model.sensor_jacobians(smooth).transpose(0, 2, 1)
-            W = savgol_filter(_at(t, recording.t, recording.wrench), window, 3, axis=0)[rows]
+            W = savgol_filter(interpolate(t, recording.t, recording.wrench), window, 3, axis=0)[rows]
             Y = np.concatenate([Y, J @ W[:, :, None], J], axis=2)
         return cls(period * (rows.step or 1), spread, raw, smooth, dq, ddq, signal, sign, Y)
 
@@ -91,10 +91,6 @@ class FrictionFit(NamedTuple):
     columns: Array
     offset: float
     offset_std: float
-
-
-def _at(t: Array, recorded: Array, x: Array) -> Array:
-    return np.column_stack([np.interp(t, recorded, column) for column in x.T])
 
 
 def _regressors(model: pin.Model, q: Array, dq: Array, ddq: Array) -> Array:

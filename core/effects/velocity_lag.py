@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.signal import savgol_filter
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.recording.recording import Recording
 from core.words.message import Message
@@ -63,7 +63,7 @@ def find_lag(t: Array, q: Array, dq: Array) -> tuple[float, float] | None:
     even = np.linspace(t[0], t[-1], len(t))
     period = float(even[1] - even[0])
     window = min(max(5, 2 * round(0.5 * SMOOTHING_S / period) + 1), len(t) // 2 * 2 - 1)
-    positions, recorded = (np.column_stack([np.interp(even, t, column) for column in x.T]) for x in (q, dq))
+    positions, recorded = (interpolate(even, t, x) for x in (q, dq))
     rate = savgol_filter(positions, window, 3, deriv=1, delta=period, axis=0)
     acceleration = savgol_filter(positions, window, 3, deriv=2, delta=period, axis=0)
     recorded = savgol_filter(recorded, window, 3, axis=0)
@@ -71,7 +71,7 @@ def find_lag(t: Array, q: Array, dq: Array) -> tuple[float, float] | None:
     rows = np.arange(edge, len(t), max(1, round(SPACING_S / period)))
     lag, std = 0.0, np.inf
     for _ in range(ROUNDS):
-        v, a = (np.column_stack([np.interp(even[rows] - lag, even, column) for column in x.T]) for x in (rate, acceleration))
+        v, a = (interpolate(even[rows] - lag, even, x) for x in (rate, acceleration))
         moving = np.abs(v) > MOVING_RAD_S
         X, y = np.column_stack((a[moving], v[moving])), (v - recorded[rows])[moving]
         if len(y) < FEWEST or not a[moving].any():

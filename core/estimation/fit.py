@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.estimation.budget import Budget, Source
 from core.estimation.noise import WrenchNoise
 from core.estimation.nuisances import Nuisances
@@ -74,7 +74,7 @@ class Fit:
 
     def drift_at(self, t: Array) -> tuple[Array, Array]:
         """(N, 6) at times t (N,), and the variance (N, 6) that its trend has where there are no windows near."""
-        lines = np.column_stack([np.interp(t, self.centres, each) for each in self.drift.T])
+        lines = interpolate(t, self.centres, self.drift)
         bent, variance = self.trend.between(t, self.centres)
         return lines + bent, variance
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.estimation.consistency import NO_SUCH_BODY, distance_from_bodies, nearest_consistent
 from core.estimation.determination import find_determined, reasons
 from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
@@ -250,7 +250,7 @@ def _series(poses: Poses, wrench: Array, motion: Motion, corrected: Corrected) -
         seen, _ = smooth_motion(found.nuisances.correct(poses, found.b), window_s=SMOOTHING_S)
         load = rigid_wrench(seen, found.phi)
         predicted = load + load @ found.nuisances.reading(found.b).T
-    late = np.column_stack([np.interp(t - found.x[DELAY], t, predicted[:, c]) for c in range(6)])
+    late = interpolate(t - found.x[DELAY], t, predicted)
     return TimeSeries(t, motion, wrench - found.x[OFFSET] - drift, late + corrected.change)
 
 

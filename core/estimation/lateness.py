@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.estimation.segments import smooth_by_average, stretches
 from core.payload.inertia import Motion, regressor
 from core.recording.recording import Recording, take_rows
@@ -43,8 +43,8 @@ def find_lateness(t: Array, motion: Motion, wrench: Array) -> float:
     if len(rows) < len(shifts):
         return 0.0
     smooth = smooth_by_average(wrench, round(SMOOTHED_S / float(np.median(np.diff(t)))))
-    y = _resample(grid, t, smooth)
-    seen = Motion(*(_resample(grid[rows], t, x) for x in (motion.g, motion.a, motion.omega, motion.alpha)))
+    y = interpolate(grid, t, smooth)
+    seen = Motion(*(interpolate(grid[rows], t, x) for x in (motion.g, motion.a, motion.omega, motion.alpha)))
     sizes = np.repeat([max(float(y[:, part].std(axis=0).max()), 1e-12) for part in (slice(0, 3), slice(3, 6))], 3)
     columns = np.concatenate((regressor(seen), np.broadcast_to(np.eye(6), (len(rows), 6, 6))), axis=2) / sizes[:, None]
     columns = columns.reshape(-1, 16)
@@ -69,10 +69,6 @@ def _rows_away_from_gaps(t: Array, grid: Array, reach: int) -> NDArray[np.intp]:
     rows = np.arange(reach, len(grid) - reach)
     rows = rows[run[rows + reach + 1] - run[rows - reach] == 2 * reach + 1]
     return np.asarray(rows[:: max(1, len(rows) // MOST_ROWS)])
-
-
-def _resample(grid: Array, t: Array, x: Array) -> Array:
-    return np.column_stack([np.interp(grid, t, channel) for channel in x.T])
 
 
 def _share_left(basis: Array, y: Array) -> float:

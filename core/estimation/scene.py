@@ -8,9 +8,8 @@ from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import make_interp_spline
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.effects.scene import Scene
 from core.estimation.kinematics import Poses, local_derivative
 from core.estimation.segments import Segment
@@ -32,7 +31,7 @@ def scene_of(recording: Recording, poses: Poses, motion: Motion, segments: tuple
     Between samples all that moves is interpolated: at the nearest ones a joint would go by fits and starts wherever the period of the
     recording does not divide that of the grid.
     """
-    take = partial(_interpolate, recording.t, t)
+    take = partial(interpolate, t, recording.t)
     rows = np.clip(np.searchsorted(poses.t, t - 0.5 * poses.period), 0, len(poses.t) - 1)
     phase = np.concatenate([np.full(part.stop - part.start, part.phase) for part in segments])
     robot = None if recording.robot is None else RobotModel(recording.robot)
@@ -52,10 +51,6 @@ def scene_of_poses(recording: Recording, poses: Poses, phase: NDArray[np.str_], 
         links = model.inertia(q), model.torque(q, np.zeros_like(q), np.zeros_like(q)), model.first_moment(q)
     scene = _scene_at(recording, poses, Motion.still(poses.g[rows]), poses.t[rows], rows, take, robot, links)
     return replace(scene, phase=phase, dq=None if scene.q is None else np.zeros_like(scene.q), apart=True)
-
-
-def _interpolate(t: Array, at: Array, x: Array) -> Array:
-    return np.asarray(make_interp_spline(t, x, k=1)(at))
 
 
 def _scene_at(

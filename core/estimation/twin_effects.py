@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.effects.library import find_effect
 from core.effects.scene import Scene
 from core.estimation.budget import Budget, Source
@@ -66,7 +66,7 @@ class TwinEffects:
         scene = self.scene.with_phi(phi)
         twin = twin or self.twin
         rows = np.concatenate([compose_effects(twin, scene).change(scene[block]) for block in self._blocks])
-        return np.column_stack([np.interp(self.t, scene.t, channel) for channel in rows.T])
+        return interpolate(self.t, scene.t, rows)
 
 
 def effects_on(recording: Recording, poses: Poses, segments: tuple[Segment, ...], twin: Twin, *, static: bool) -> TwinEffects:
@@ -83,7 +83,7 @@ def effects_on(recording: Recording, poses: Poses, segments: tuple[Segment, ...]
     motion, _ = smooth_motion(poses, window_s=SMOOTHING_S)
     period = max(GRID_S, poses.period)
     grid = np.concatenate([np.arange(t[part][0], t[part][-1], period) for part in stretches(t)])
-    channels = [np.column_stack([np.interp(grid, t, x) for x in channel.T]) for channel in (motion.g, motion.a, motion.omega, motion.alpha)]
+    channels = [interpolate(grid, t, x) for x in (motion.g, motion.a, motion.omega, motion.alpha)]
     return TwinEffects(twin, scene_of(recording, poses, Motion(*channels), segments, grid), t, static=False)
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.sparse import csr_array, eye_array
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.effects.joint_twists import find_joint_twists
 from core.errors import HeftError
 from core.estimation.kinematics import Poses, axial, poses_of, smooth_motion
@@ -129,7 +129,7 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
     t = np.concatenate([np.arange(first + 2.0 * narrow, last - 2.0 * narrow, grid) for first, last in ends])
     spread = reading = window_matrix(t, narrow, poses.t)
     g, a, B = (np.asarray(spread @ x.reshape(len(poses.t), -1)).reshape(len(t), *x.shape[1:]) for x in (poses.g, raw.a, raw.B))
-    omega = np.column_stack([np.interp(t, poses.t, channel) for channel in motion.omega.T])
+    omega = interpolate(t, poses.t, motion.omega)
     scene = replace(scene_of(recording, poses, Motion(g, a, omega, axial(B)), segments, t), window=narrow)
     known = recording.reference_of_whole
     reference = None if known is None else known.phi

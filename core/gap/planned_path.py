@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.planning.plan import Leg, Plan
 from core.planning.rotation_room import Turn, rotation_path
 from core.recording.recording import Recording
@@ -59,4 +59,4 @@ def _trace_rotation(q: Array, profile: AngularProfile, about: str, robot: RobotM
     found = rotation_path(robot.chain, q, turn)
     if found is None:
         raise ValueError("a planned rotation has a path")
-    return np.column_stack([np.interp(profile.angle, turn.angle, joint) for joint in found[0].T])
+    return interpolate(profile.angle, turn.angle, found[0])

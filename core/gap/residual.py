@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 from scipy.fft import dct
 
+from core.array import interpolate
 from core.gap.effect_fit import EffectFit
 from core.gap.windows import Windows
 from core.payload.channels import CHANNELS
@@ -82,7 +83,7 @@ class Residual:
     def by_direction(self) -> dict[str, float]:
         """Mean square (noise is 1) while turning positively, negatively, and standing still; axis of the largest rate."""
         scene = self._windows.basis.scene
-        omega = np.column_stack([np.interp(self._windows.centres, scene.t, w) for w in scene.motion.omega.T])
+        omega = interpolate(self._windows.centres, scene.t, scene.motion.omega)
         largest = omega[np.arange(len(omega)), np.abs(omega).argmax(axis=1)]
         kinds = {"positive": largest > 0.05, "negative": largest < -0.05, "still": np.abs(largest) <= 0.05}
         return {name: float(np.mean(self._rows[:, rows] ** 2)) for name, rows in kinds.items() if rows.any()}
@@ -90,7 +91,7 @@ class Residual:
     def by_pose(self) -> dict[str, float]:
         """Mean square (noise is 1) by the sensor axis that is nearest to gravity, `+` along it and `-` against it."""
         scene = self._windows.basis.scene
-        g = np.column_stack([np.interp(self._windows.centres, scene.t, axis) for axis in scene.motion.g.T])
+        g = interpolate(self._windows.centres, scene.t, scene.motion.g)
         nearest = np.abs(g).argmax(axis=1)
         names = np.array([f"{'xyz'[k]}{'+' if g[row, k] > 0 else '-'}" for row, k in enumerate(nearest)])
         return {str(name): float(np.mean(self._rows[:, names == name] ** 2)) for name in np.unique(names)}

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.effects.composition import Term
 from core.effects.joint_error import joint_count, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
@@ -223,7 +223,7 @@ class Windows:
 
     def on_grid(self, rows: Array) -> Array:
         """(N, 6), rows (6, K) on the scene's grid, in standard deviations of the noise."""
-        return np.column_stack([np.interp(self.basis.scene.t, self.centres, channel) for channel in rows])
+        return interpolate(self.basis.scene.t, self.centres, rows.T)
 
     @property
     def noise_std(self) -> Array:

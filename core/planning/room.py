@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.planning.certificate import is_clear
 from core.planning.joint_torques import HOLDING_SHARE, JointTorques
 from core.planning.pair_margins import PairMargins
@@ -91,4 +91,4 @@ def _dense(q: Array) -> Array:
     """The polyline q (N, n), N >= 2, with rows at most `_STEP_RAD` rad apart."""
     along = np.concatenate(([0.0], np.cumsum(np.linalg.norm(np.diff(q, axis=0), axis=1))))
     at = np.unique(np.concatenate((along, np.linspace(0.0, along[-1], 1 + int(np.ceil(along[-1] / _STEP_RAD))))))
-    return np.stack([np.interp(at, along, column) for column in q.T], axis=1)
+    return interpolate(at, along, q)

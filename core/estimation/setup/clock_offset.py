@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.estimation.local_polynomial import derive
 from core.estimation.weak_form import regressor_of
 from core.recording.recording import Recording
@@ -51,7 +51,7 @@ def estimate_clock_offset(recording: Recording) -> ClockOffset | None:
     if recording.wrench is None or len(rows) < 2 * WINDOW or len(rows) * GRID_S < 4 * BLOCK_S:
         return None
     X = _regressor_on(grid, recording, slice(0, end))
-    wrench = derive(_resample(grid, recording.t[:end], recording.wrench[:end]), WINDOW, 2)
+    wrench = derive(interpolate(grid, recording.t[:end], recording.wrench[:end]), WINDOW, 2)
     size = np.repeat([max(float(wrench[:, part].std(axis=0).max()), 1e-9) for part in (slice(0, 3), slice(3, 6))], 3)
     X, y = X / size[:, None], wrench / size
     some = rows[:: max(1, len(rows) // SEARCHED_ROWS)]
@@ -108,16 +108,12 @@ def _regressor_on(grid: Array, recording: Recording, rows: slice) -> Array:
         orientation = None if orientation is None else orientation[rows]
         position = None if position is None else position[rows]
     assert orientation is not None  # a recording with a wrench has one of both
-    R = _resample(grid, recording.t[rows], orientation.reshape(-1, 9))
+    R = interpolate(grid, recording.t[rows], orientation.reshape(-1, 9))
     turned = derive(R, WINDOW, 2).reshape(-1, 3, 3)
     bent = derive(R, WINDOW, 2, 2, GRID_S).reshape(-1, 3, 3)
     base = np.swapaxes(turned, 1, 2)
     a = np.zeros((len(grid), 3)) - recording.gravity
     if position is not None:
-        a += derive(_resample(grid, recording.t[rows], position), WINDOW, 2, 2, GRID_S)
+        a += derive(interpolate(grid, recording.t[rows], position), WINDOW, 2, 2, GRID_S)
     V = regressor_of(np.einsum("nij,nj->ni", base, a), base @ bent)
     return np.concatenate([V, np.broadcast_to(np.eye(6), (len(V), 6, 6))], axis=2)
-
-
-def _resample(grid: Array, t: Array, x: Array) -> Array:
-    return np.column_stack([np.interp(grid, t, channel) for channel in x.T])

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from scipy.spatial.transform import Rotation, Slerp
 
-from core.array import Array
+from core.array import Array, interpolate
 from core.recording.bags.spooled_table import SpooledTable
 
 TRANSLATION = ("translation.x", "translation.y", "translation.z")
@@ -77,5 +77,5 @@ class _Curve:
     def at(self, t: Array) -> tuple[Array, Rotation]:
         if len(self.t) <= 2:
             return np.tile(self.translation[-1], (len(t), 1)), Rotation.from_quat(np.tile(self.rotation[-1].as_quat(), (len(t), 1)))
-        moved = np.column_stack([np.interp(t, self.t, channel) for channel in self.translation.T])
+        moved = interpolate(t, self.t, self.translation)
         return moved, Slerp(self.t, self.rotation)(t)
