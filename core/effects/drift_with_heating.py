@@ -26,6 +26,8 @@ ROWS = 400
 """in no more rows than about this many."""
 SIGN = 0.3
 """Share of the residual's square that the best one explains, or there is no sign of any."""
+QUICKEST_S = 5.0
+"""Of what warms a sensor's body; what follows more quickly is a jump of the offset."""
 START_N = 0.5
 """Of the largest offset."""
 
@@ -44,7 +46,7 @@ class DriftWithHeating(SensorDrift):
             *amplitudes("hot", bound=expand_to_channels(50.0, 2.5), scale=expand_to_channels(1.0, 0.05)),
             Parameter("cycle_s", "s", seconds, 0.5 * shortest, 3.0 * seconds, 0.2 * seconds),
             Parameter("at_s", "s", 0.0, -3.0 * seconds, 3.0 * seconds, 0.1 * seconds),
-            Parameter("time_constant_s", "s", 30.0, 1.0, 300.0, 20.0),
+            Parameter("time_constant_s", "s", 30.0, QUICKEST_S, 300.0, 20.0),
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:

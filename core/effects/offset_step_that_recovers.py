@@ -39,8 +39,8 @@ class OffsetStepThatRecovers(SensorOffsetStep):
         return Message.of("effect-shape-of-run")
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """None: it shows where a jump that stays leaves something."""
-        return []
+        """The most probable jump, larger at first, with quick and slow recovery."""
+        return self.starts_beside(scene, residual, super().starts(scene, residual)[0][:7])
 
     def starts_beside(self, scene: Scene, residual: Array, plain: Array) -> list[Array]:
         """The jump that stays, larger at first, with quick and slow recovery."""

@@ -77,6 +77,7 @@ PIECES = {
     "moving": Message.of("effect-parameter-moving"),
     "noise_factor": Message.of("effect-parameter-noise-factor"),
     "offset": Message.of("effect-parameter-offset"),
+    "of_first": Message.of("effect-parameter-of-first"),
     "opening_factor": Message.of("effect-parameter-opening-factor"),
     "over": Message.of("effect-parameter-over"),
     "overtone_cos": Message.of("effect-parameter-overtone-cos"),

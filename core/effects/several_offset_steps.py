@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 
 from core.array import Array
-from core.effects.change_points import change_points
 from core.effects.channels import SUFFIXES
 from core.effects.effect import Parameter
+from core.effects.jump_search import find_jumps
 from core.effects.scene import Scene
 from core.effects.sensor_offset_step import SensorOffsetStep
 from core.payload.channels import CHANNELS
 from core.words.message import Message
 
-JUMPS, CANDIDATES = 4, 12
-APART_S = 0.5
+JUMPS = 4
 
 
 class SeveralOffsetSteps(SensorOffsetStep):
@@ -46,19 +43,10 @@ class SeveralOffsetSteps(SensorOffsetStep):
         return Message.of("effect-shape-of-run")
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """The jumps that the residual shows: of the rows where its mean may change, those that leave least within the stretches between."""
-        apart = max(2, round(APART_S / scene.period))
-        candidates, rows = change_points(residual, count=CANDIDATES, apart=apart), [0, len(residual)]
-        if len(candidates) < JUMPS:
+        """The jumps that together explain most of the residual, with the signs that they have there."""
+        found = find_jumps(scene, residual, np.eye(6), JUMPS)
+        if found is None:
             return [np.array([p.absent for p in self.parameters(scene)])]
-        for _ in range(JUMPS):
-            rows = min((sorted((*rows, row)) for row in candidates if row not in rows), key=lambda edges: _find_spread(residual, edges))
-        means = np.array([residual[a:b].mean(axis=0) for a, b in pairwise(rows)])
+        times, sizes = found
         scale = np.array([p.scale for p in super().parameters(scene)[:6]])
-        times = (np.array(rows[1:-1]) - 0.5) * scene.period
-        return [np.column_stack((0.3 * scale * np.sign(np.diff(means, axis=0)), times)).ravel()]
-
-
-def _find_spread(x: Array, edges: list[int]) -> float:
-    """Sum of squares of rows (N, n) about the means of the stretches between the edges."""
-    return sum(float(np.square(x[a:b] - x[a:b].mean(axis=0)).sum()) for a, b in pairwise(edges))
+        return [np.column_stack((0.3 * scale * np.sign(sizes), times)).ravel()]

@@ -79,6 +79,7 @@ CODES = {
     "moving": "report-of-moving",
     "noise_factor": "report-of-noise-factor",
     "offset": "report-of-offset",
+    "of_first": "report-of-of-first",
     "opening_factor": "report-of-opening-factor",
     "over": "report-of-over",
     "overtone_cos": "report-of-overtone-cos",

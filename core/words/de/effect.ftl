@@ -126,6 +126,7 @@ effect-parameter-mode = Mode
 effect-parameter-moving = beweglicher Anteil
 effect-parameter-noise-factor = Rauschfaktor
 effect-parameter-offset = Nullpunkt
+effect-parameter-of-first = Anteil des ersten
 effect-parameter-opening-factor = Öffnung
 effect-parameter-over = Dauer
 effect-parameter-overtone-cos = Oberton, Kosinus

@@ -351,6 +351,7 @@ report-of-mode = Mode
 report-of-moving = beweglicher Anteil
 report-of-noise-factor = Rauschfaktor
 report-of-offset = Nullpunkt
+report-of-of-first = Anteil des ersten
 report-of-opening-factor = Öffnung
 report-of-over = Dauer
 report-of-overtone-cos = Oberton, Kosinus

@@ -126,6 +126,7 @@ effect-parameter-mode = mode
 effect-parameter-moving = moving part
 effect-parameter-noise-factor = noise factor
 effect-parameter-offset = offset
+effect-parameter-of-first = share of the first
 effect-parameter-opening-factor = opening
 effect-parameter-over = duration
 effect-parameter-overtone-cos = overtone, cosine

@@ -353,6 +353,7 @@ report-of-mode = mode
 report-of-moving = moving
 report-of-noise-factor = noise factor
 report-of-offset = offset
+report-of-of-first = share of the first
 report-of-opening-factor = opening
 report-of-over = over
 report-of-overtone-cos = overtone, cosine

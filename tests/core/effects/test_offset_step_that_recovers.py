@@ -42,9 +42,14 @@ def test_a_jump_that_stays_is_the_plain_one() -> None:
     )
 
 
+def test_it_starts_at_the_jump_that_shows_most() -> None:
+    residual = np.random.default_rng(2).normal(size=(len(RUN), 6)) + 20.0 * np.outer(RUN.elapsed > 3.0, np.sign(JUMP))
+    for start in EFFECT.starts(RUN, residual):
+        assert start[6] == pytest.approx(3.0, abs=2.0 * RUN.period)
+
+
 def test_beside_the_plain_jump_it_begins_larger_and_ends_as_large() -> None:
     plain = np.append(JUMP, 3.0)
-    assert EFFECT.starts(RUN, np.zeros((len(RUN), 6))) == []
     for start in EFFECT.starts_beside(RUN, np.zeros((len(RUN), 6)), plain):
         np.testing.assert_allclose(start[:6] * start[7], JUMP)
         assert start[6] == plain[6]

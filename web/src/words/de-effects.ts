@@ -103,6 +103,7 @@ export const deEffects: typeof enEffects = {
     moving: 'beweglicher Anteil',
     noise_factor: 'Rauschfaktor',
     offset: 'Nullpunkt',
+    of_first: 'Anteil des ersten',
     opening_factor: 'Öffnung',
     over: 'Dauer',
     overtone_cos: 'Oberton, Kosinus',
