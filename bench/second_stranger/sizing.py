@@ -18,6 +18,10 @@ NEAR = 0.12
 """Of the logarithm of what is seen to what is wanted."""
 
 
+LEAST_SIZE = 1e-3
+"""Noise standard deviations per unit: of a parameter below this nothing is to be seen, as of an inertia in static poses."""
+
+
 class Remainder:
     """Takes off what ten payload parameters and six offsets can make over a motion, in noise standard deviations."""
 
@@ -25,7 +29,10 @@ class Remainder:
         Y = find_regressor(motion) / noise_std[None, :, None]
         A = np.concatenate([Y, np.tile(np.eye(6), (len(Y), 1, 1))], 2).reshape(-1, 16)
         self._noise_std = noise_std
-        self._explained = np.linalg.qr(A / np.linalg.norm(A, axis=0))[0]
+        size = np.linalg.norm(A, axis=0)
+        if np.any(size < LEAST_SIZE):
+            A, size = A[:, size >= LEAST_SIZE], size[size >= LEAST_SIZE]
+        self._explained = np.linalg.qr(A / size)[0]
 
     def find(self, difference: Array) -> Array:
         """(6 M,), what is left of a difference (M, 6), N and N m."""
@@ -36,10 +43,11 @@ class Remainder:
 class Yardstick:
     """Measures how a rig's wrench differs from that of its payload alone, by the joints as they are recorded."""
 
-    def __init__(self, rig: Rig) -> None:
-        """Of a rig as it is without a cause."""
+    def __init__(self, rig: Rig, always: Sequence[Planted] = ()) -> None:
+        """Of a rig as it is without a cause, but for what is `always` there and belongs to the background."""
         self.rig = rig
-        sound = sample(rig, [])
+        self._always = tuple(always)
+        sound = sample(rig, self._always)
         self._of_background = sound.wrench - find_body_wrench(sound.motion, rig.body)
         self._remainder = Remainder(rig.noise_std, sound.motion)
         self.background = find_length(self._remainder.find(self._of_background))
@@ -56,7 +64,7 @@ class Yardstick:
 
     def measure(self, planted: Sequence[Planted]) -> float:
         """What causes leave beyond the background, in noise standard deviations over the whole recording."""
-        samples = sample(self.rig, planted)
+        samples = sample(self.rig, [*planted, *self._always])
         reports = any(fault.report_joints is not None for fault, _ in planted)
         remainder = Remainder(self.rig.noise_std, samples.motion) if reports else self._remainder
         return find_length(remainder.find(self.subtract(samples)))

@@ -11,6 +11,8 @@ from bench.second_stranger import making as second_making
 from bench.second_stranger import plan as second_plan
 from bench.stranger import making, plan
 from bench.stranger.making import Truth
+from bench.third_stranger import making as third_making
+from bench.third_stranger import plan as third_plan
 
 
 class Recording(NamedTuple):
@@ -31,5 +33,10 @@ def list_second() -> list[Recording]:
     return [Recording(case.number, case.order.name, partial(second_making.make_case, case)) for case in second_plan.list_cases()]
 
 
-SETS = {"first": list_first, "second": list_second}
+def list_third() -> list[Recording]:
+    """By number."""
+    return [Recording(case.number, case.order.name, partial(third_making.make_case, case)) for case in third_plan.list_cases()]
+
+
+SETS = {"first": list_first, "second": list_second, "third": list_third}
 """By the stranger."""
