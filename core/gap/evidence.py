@@ -319,8 +319,7 @@ def _fit_with_partners(
     windows: Windows, nominal: EffectFit, firsts: list[EffectFit], effects: list[Effect], fit_all: FitAll
 ) -> list[EffectFit]:
     """Each with one effect more, the best first."""
-    tasks = [task for first in firsts for task in partners(windows, first, effects, FURTHER)]
-    return _take_each_once(nominal, fit_all(windows, tasks))
+    return _take_each_once(nominal, fit_all(windows, partners(windows, firsts, effects, FURTHER, fit_all)))
 
 
 def _take_most_first(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:

@@ -1,11 +1,11 @@
-"""Many fits to one recording: on all cores, or one by one where others keep the cores busy already."""
+"""Many fits to one recording, and looks at what to fit: on all cores, or one by one where others keep the cores busy already."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple, Protocol, TypeVar
 
 import numpy as np
 from threadpoolctl import threadpool_limits
@@ -14,6 +14,27 @@ from core.array import Array
 from core.effects.effect import STAGES, Effect
 from core.gap.effect_fit import EffectFit, fit_effects
 from core.gap.windows import Windows
+
+Found = TypeVar("Found")
+Found_co = TypeVar("Found_co", covariant=True)
+
+
+class Job(Protocol[Found_co]):
+    """Something to find in a recording by itself."""
+
+    @property
+    def size(self) -> int:
+        """How long it lasts, in no unit."""
+
+    def run(self, windows: Windows) -> Found_co:
+        """What is found."""
+
+
+class FitAll(Protocol):
+    """Does each job on its own; what they find is in the order of the jobs."""
+
+    def __call__(self, windows: Windows, jobs: Sequence[Job[Found]], /) -> list[Found]:
+        """What each finds."""
 
 
 class Task(NamedTuple):
@@ -35,24 +56,24 @@ class Task(NamedTuple):
         """By which fits last about as long: derivatives by each parameter, from each start."""
         return sum(len(theta) for theta in self.thetas)
 
+    def run(self, windows: Windows) -> EffectFit:
+        """The best fit from any of the starts."""
+        return fit_effects(windows, *self)
 
-FitAll: TypeAlias = Callable[[Windows, list[Task]], list[EffectFit]]
-"""Fits each task on its own; the results are in the order of the tasks."""
 
-
-def on_all_cores(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
+def on_all_cores(windows: Windows, jobs: Sequence[Job[Found]], /) -> list[Found]:
     """In processes of their own, which inherit the windows; the longest first, so that no core waits for it at the end."""
-    if not tasks:
+    if not jobs:
         return []
-    order = sorted(range(len(tasks)), key=lambda k: -tasks[k].size)
+    order = sorted(range(len(jobs)), key=lambda k: -jobs[k].size)
     with ProcessPoolExecutor(mp_context=get_context("fork"), initializer=_share, initargs=(windows,)) as pool:
-        fits = dict(zip(order, pool.map(_fit, [tasks[k] for k in order]), strict=True))
-    return [fits[k] for k in range(len(tasks))]
+        found = dict(zip(order, pool.map(_run, [jobs[k] for k in order]), strict=True))
+    return [found[k] for k in range(len(jobs))]
 
 
-def one_by_one(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
+def one_by_one(windows: Windows, jobs: Sequence[Job[Found]], /) -> list[Found]:
     """In this process."""
-    return [fit_effects(windows, *task) for task in tasks]
+    return [job.run(windows) for job in jobs]
 
 
 def pair_of(a: EffectFit, b: EffectFit) -> Task:
@@ -72,5 +93,5 @@ def _share(windows: Windows) -> None:
     threadpool_limits(1)
 
 
-def _fit(task: Task) -> EffectFit:
-    return fit_effects(_shared, *task)
+def _run(job: Job[Found]) -> Found:
+    return job.run(_shared)

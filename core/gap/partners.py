@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -11,12 +12,16 @@ from core.array import Array
 from core.effects.effect import STAGES, Effect
 from core.estimation.quadratic import find_bounded_minimum
 from core.gap.effect_fit import EffectFit
-from core.gap.fit_all import Task
+from core.gap.fit_all import FitAll, Task
 from core.gap.problem import Problem, parameters_of
 from core.gap.windows import Windows
 
 AS_MUCH = 0.5
 """Share of what the best shape of an effect would explain from which another one of its shapes is fitted as well."""
+
+
+PARTS = 8
+"""In which the effects are looked at: enough for all cores, few enough that what a fit needs itself is not found too often."""
 
 
 class Partner(NamedTuple):
@@ -27,27 +32,51 @@ class Partner(NamedTuple):
     theta: Array
 
 
-def partners(windows: Windows, first: EffectFit, effects: Sequence[Effect], count: int) -> list[Task]:
-    """The most promising additions to a fit, each with the values to start from.
+class Look(NamedTuple):
+    """At some effects beside a fit."""
+
+    first: EffectFit
+    effects: tuple[Effect, ...]
+
+    @property
+    def size(self) -> int:
+        """About how many derivatives it takes."""
+        return len(self.effects) + len(self.first.theta)
+
+    def run(self, windows: Windows) -> list[Partner]:
+        """Each effect from each of its starts, where it explains more than its parameters may bend."""
+        first = self.first
+        known = Problem(windows, first.effects)
+        J = known.linearise(first.theta, first.phi)[1]
+        columns, normal = np.column_stack((known.X, J)), known.normal(J)
+        scene = windows.basis.scene.with_phi(first.phi)
+        residual = windows.on_grid(first.residual)
+        found = (
+            _join(known, first, columns, normal, Problem(windows, (effect,)), theta)
+            for effect in self.effects
+            for theta in effect.starts(scene, residual)
+        )
+        return [partner for partner in found if partner.gain > 0.0]
+
+
+def partners(windows: Windows, firsts: Sequence[EffectFit], effects: Sequence[Effect], count: int, fit_all: FitAll) -> list[Task]:
+    """The most promising additions to each of some fits, with the values to start from.
 
     Args:
-        first: the fit of one effect or more.
+        firsts: the fits, each of one effect or more.
         effects: candidates for a further one, in all their shapes; those of the fit are passed over.
-        count: how many effects are added; none that explains less than its parameters may bend.
+        count: how many effects are added to each; none that explains less than its parameters may bend.
     """
-    known = Problem(windows, first.effects)
-    J = known.linearise(first.theta, first.phi)[1]
-    columns, normal = np.column_stack((known.X, J)), known.normal(J)
-    scene = windows.basis.scene.with_phi(first.phi)
-    residual = windows.on_grid(first.residual)
-    found = [
-        _join(known, first, columns, normal, Problem(windows, (effect,)), theta)
-        for effect in effects
-        if effect.id not in {each.id for each in first.effects}
-        for theta in effect.starts(scene, residual)
-    ]
+    others = [[effect for effect in effects if effect.id not in {each.id for each in first.effects}] for first in firsts]
+    looks = [Look(first, tuple(some[k::PARTS])) for first, some in zip(firsts, others, strict=True) for k in range(PARTS)]
+    found = fit_all(windows, looks)
+    each = (chain.from_iterable(found[k : k + PARTS]) for k in range(0, len(found), PARTS))
+    return [task for first, some in zip(firsts, each, strict=True) for task in _choose(windows, first, some, count)]
+
+
+def _choose(windows: Windows, first: EffectFit, found: Iterable[Partner], count: int) -> list[Task]:
     best: dict[str, list[Partner]] = {}
-    for partner in sorted((each for each in found if each.gain > 0.0), key=lambda partner: -partner.gain):
+    for partner in sorted(found, key=lambda partner: -partner.gain):
         shapes = best.setdefault(partner.effect.id, [partner])
         if partner.gain >= AS_MUCH * shapes[0].gain and all(type(partner.effect) is not type(shape.effect) for shape in shapes):
             shapes.append(partner)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
@@ -14,8 +14,8 @@ from core.cli.experiments import plan_next
 from core.errors import HeftError
 from core.files.whole_file import write_whole
 from core.gap.diagnosis import examine
-from core.gap.effect_fit import EffectFit
-from core.gap.fit_all import FitAll, Task, one_by_one
+from core.gap.effect_fit import fit_nominal
+from core.gap.fit_all import FitAll, Found, Job
 from core.gap.residual import Residual
 from core.gap.twin_addition import addable_to
 from core.gap.windows import Windows
@@ -61,16 +61,16 @@ def fit_with_progress(connection: Connection) -> FitAll:
     """Says where the gap is largest, then fits one effect after the other and says how far it is; more to fit may turn up on the way."""
     done = of = 0
 
-    def fit_all(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
+    def fit_all(windows: Windows, jobs: Sequence[Job[Found]], /) -> list[Found]:
         nonlocal done, of
-        if tasks and of == 0:
-            connection.send(Advanced(0.0, Residual(windows, tasks[0].start).describe().model_dump_json()))
-        of += len(tasks)
-        fits = []
-        for task in tasks:
-            fits += one_by_one(windows, [task])
+        if jobs and of == 0:
+            connection.send(Advanced(0.0, Residual(windows, fit_nominal(windows)).describe().model_dump_json()))
+        of += len(jobs)
+        found = []
+        for job in jobs:
+            found.append(job.run(windows))
             done += 1
             connection.send(Advanced(done / (of + 1)))
-        return fits
+        return found
 
     return fit_all

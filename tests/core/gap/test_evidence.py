@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -22,9 +23,8 @@ from core.effects.lowpass_that_opens import LowpassThatOpens
 from core.effects.ripple_that_varies import RippleThatVaries
 from core.effects.zeros_that_warm_up import ZerosThatWarmUp
 from core.gap.basis import basis_of
-from core.gap.effect_fit import EffectFit
 from core.gap.evidence import EXPLAINED, ONE_IS_CLEAR, gather
-from core.gap.fit_all import Task, one_by_one
+from core.gap.fit_all import Found, Job, Task, one_by_one
 from core.gap.sound_gears import ONE_IS_ENOUGH
 from core.gap.weighing import find_left_share
 from core.gap.windows import Term, Windows
@@ -64,9 +64,9 @@ def test_a_richer_shape_is_sought_although_four_other_effects_explain_more_than_
 def test_richer_shapes_are_sought_unless_a_plain_one_explains_a_large_gap(delay_s: float, sought: bool) -> None:
     fitted: list[Effect] = []
 
-    def fit_all(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
-        fitted.extend(effect for task in tasks for effect in task.effects)
-        return one_by_one(windows, tasks)
+    def fit_all(windows: Windows, jobs: Sequence[Job[Found]], /) -> list[Found]:
+        fitted.extend(effect for job in jobs if isinstance(job, Task) for effect in job.effects)
+        return one_by_one(windows, jobs)
 
     recording = record(
         run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(0), Imperfections(delay_s=delay_s)

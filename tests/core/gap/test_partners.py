@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -15,7 +16,7 @@ from core.effects.scene import Scene
 from core.gap.basis import basis_of
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.evidence import gather
-from core.gap.fit_all import Task, one_by_one
+from core.gap.fit_all import Found, Job, Task, one_by_one
 from core.gap.partners import take_fewer, terms_of
 from core.gap.weighing import find_left_share
 from core.gap.windows import Windows
@@ -88,12 +89,14 @@ def test_two_that_began_from_one_and_ended_elsewhere_are_fitted_again_from_what_
     seed, names = TOGETHER["two of three"]
     planted = plant_trial(seed)
 
-    def fit_all(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
-        fits, excess = one_by_one(windows, tasks), fit_nominal(windows).held_out - 1.0
-        return [
-            replace(fit, held_out=fit.held_out + ELSEWHERE * excess) if fit.further == 1 and task.start.further == 0 else fit
-            for task, fit in zip(tasks, fits, strict=True)
-        ]
+    def run(windows: Windows, job: Job[Found]) -> Found:
+        found = job.run(windows)
+        if isinstance(job, Task) and isinstance(found, EffectFit) and found.further == 1 and job.start.further == 0:
+            return replace(found, held_out=found.held_out + ELSEWHERE * (fit_nominal(windows).held_out - 1.0))
+        return found
+
+    def fit_all(windows: Windows, jobs: Sequence[Job[Found]], /) -> list[Found]:
+        return [run(windows, job) for job in jobs]
 
     evidence = gather(Windows(basis_of(planted.recording)), [effect for effect in library() if effect.id in names], fit_all)
     assert max(len(fit.effects) for fit in evidence.joined) > 2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 
@@ -17,9 +18,9 @@ from core.events import drive
 from core.gap.basis import basis_of
 from core.gap.closure import gap_of
 from core.gap.diagnosis import examine
-from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
+from core.gap.effect_fit import fit_effects, fit_nominal
 from core.gap.evidence import Evidence, gather
-from core.gap.fit_all import Task, one_by_one
+from core.gap.fit_all import Found, Job, Task, one_by_one
 from core.gap.partners import add_effect
 from core.gap.sound_gears import find_gears_among, hold_gears
 from core.gap.windows import Windows
@@ -154,9 +155,10 @@ def test_gears_that_the_twin_states_stay_as_they_are() -> None:
 def test_what_the_swinging_hid_is_looked_at_anew(faults: tuple[Fault, ...], payload: str, hid: bool) -> None:
     begun_anew: set[str] = set()
 
-    def fit_all(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
-        begun_anew.update(task.name for task in tasks if windows.held and len(task.effects) == 1 and len(task.thetas) > 1)
-        return one_by_one(windows, tasks)
+    def fit_all(windows: Windows, jobs: Sequence[Job[Found]], /) -> list[Found]:
+        fits = [job for job in jobs if isinstance(job, Task)]
+        begun_anew.update(fit.name for fit in fits if windows.held and len(fit.effects) == 1 and len(fit.thetas) > 1)
+        return one_by_one(windows, jobs)
 
     evidence = gather(Windows(basis_of(moved(*faults, payload=payload))), FEW, fit_all)
     assert held(evidence) == ["joint_elasticity"]
