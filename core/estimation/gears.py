@@ -68,7 +68,7 @@ def find_gears(poses: Poses, wrench: Array, found: Fit, effects: TwinEffects) ->
     if not find_determined(found.phi, np.sqrt(np.diag(found.covariance)[:10])).all():
         return None  # with an inertia that nothing excites they would swing as noise has it
     every = max(1, int(effects.scene.period / poses.period + 0.01))  # faster samples tell no more of what is that slow
-    form, wrench = WeakForm(poses.every(every)), wrench[::every]
+    form, wrench = WeakForm(poses.take(slice(None, None, every))), wrench[::every]
     effects = TwinEffects(effects.twin, effects.scene, effects.t[::every], static=False)
     parameters = gears.parameters(effects.scene)
     absent, scale, lower, upper = (np.array([getattr(p, name) for p in parameters]) for name in ("absent", "scale", "lower", "upper"))

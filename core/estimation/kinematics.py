@@ -76,11 +76,11 @@ class Poses:
         """Whether these are poses by themselves and no motion."""
         return self.period > SLOWEST_PERIOD_S or len(self.t) < FEWEST_SAMPLES
 
-    def every(self, k: int) -> Poses:
-        """Each k-th row."""
-        joints = None if self.joints is None else replace(self.joints, q=self.joints.q[::k])
-        position = None if self.position is None else self.position[::k]
-        return replace(self, t=self.t[::k], rotation=self.rotation[::k], position=position, joints=joints)
+    def take(self, rows: slice | NDArray[np.intp]) -> Poses:
+        """Some rows."""
+        joints = None if self.joints is None else replace(self.joints, q=self.joints.q[rows])
+        position = None if self.position is None else self.position[rows]
+        return replace(self, t=self.t[rows], rotation=self.rotation[rows], position=position, joints=joints)
 
     def fill(self, rows: FilledRows) -> Poses:
         """On an even clock, with the rows that were lost."""

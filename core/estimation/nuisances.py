@@ -175,7 +175,7 @@ class NuisanceColumns:
         joints = self._form.poses.joints
         if joints is not None and abs(delay - self._delay) > KEPT_DELAY_S:
             every = 1 if self._form.static else max(1, int(COARSE * self._form.spacing / self._form.poses.period + 0.01))
-            coarse = self._form.poses.every(every)
+            coarse = self._form.poses.take(slice(None, None, every))
             moved = (coarse.with_zeros(zeros) for zeros in np.vstack((np.zeros(joints.robot.n), STEP_RAD * np.eye(joints.robot.n))))
             before, *after = self._form.features_of(coarse.t, moved, delay)
             self._zeros = [features.less(before, STEP_RAD) for features in after]

@@ -88,9 +88,9 @@ def basis_of_poses(recording: Recording, poses: Poses, wrench: Array) -> Basis:
     each = csr_array(eye_array(len(t)))
     noise = noise_of_poses(t, R, w, recording.sensor.noise_std)
     return Basis(
-        poses,
+        replace(poses.take(kept), jitter_s=0.0),  # nothing moves while they are read
         noise,
-        tuple(Segment(int(k), int(k) + 1, str(name)) for k, name in zip(kept, phase, strict=True)),
+        tuple(Segment(k, k + 1, str(name)) for k, name in enumerate(phase)),
         replace(scene_of_poses(recording, poses, phase, kept), noise=noise.std),
         w,
         V,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -58,6 +59,15 @@ def test_a_base_that_is_not_level_is_named_and_sized():
     assert diagnosis.where.stage == "mounting"
     assert diagnosis.payload.after.determined == [True] * 4 + [False] * 6
     assert diagnosis.consequence.code == "gap-payload-changed-but-inertia"
+
+
+def test_of_a_slow_stream_with_labels_the_holds_count():
+    held = poses(seed=3, count=120, tilt_rad=0.03)
+    moving = np.arange(120) % 3 == 2
+    read = held.wrench + np.where(moving, 5.0, 0.0)[:, None]  # what the arm's acceleration adds
+    diagnosis = diagnose(replace(held, wrench=read, phase=np.where(moving, "move", "hold")))
+    assert best(diagnosis) == "base_tilt"
+    assert abs(diagnosis.effects[0].parameters["about_x_rad"].value - 0.03) < 2e-3
 
 
 def test_a_drift_over_the_poses_is_named():
