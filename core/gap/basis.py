@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.sparse import csr_array, eye_array
 
 from core.array import Array, interpolate
@@ -13,6 +14,7 @@ from core.errors import HeftError
 from core.estimation.kinematics import Poses, axial, poses_of, smooth_motion
 from core.estimation.lost_rows import is_broken
 from core.estimation.noise import WrenchNoise, unknown_noise
+from core.estimation.resting import find_resting
 from core.estimation.scene import scene_of, scene_of_poses
 from core.estimation.segments import Segment, cut_at_gaps, hold_label, motionless, segments_of_motion, segments_of_phase, stretches
 from core.estimation.weak_form import RawFeatures, regressor_of
@@ -37,6 +39,10 @@ FEWEST_HOLDS = 4
 """Where positions are not recorded and the sensor rested so often, turned, rest is compared alone: how it was accelerated nobody knows."""
 TURNED_M_S2 = 0.5
 """By which gravity has to differ between such holds, standard deviation along its second direction."""
+SLOWEST_STREAM_S, STREAM, RESOLVED = 0.25, 0.1, 0.015
+"""Poses that follow each other more slowly, or are farther off the middle of their neighbours (`find_way_off`), are no motion; those that
+are less than the third off it show how it went. Streams of arms are off by 0.001 to 0.004 at 20 Hz, by 0.003 to 0.08 at 10 Hz, where from
+0.03 on their accelerations are wrong by more than the noise; lists of poses by 2 to 4."""
 FEWEST_POSES = 16
 """A linear channel under any gravity that drifts can follow eleven of them whatever the noise."""
 
@@ -56,9 +62,9 @@ def basis_of(recording: Recording) -> Basis:
         raise TooLittleError("gap-no-wrench")
     if poses is None:
         raise TooLittleError("gap-no-motion")
-    if poses.apart:
+    if poses.apart and (rows := _find_poses(recording, poses)) is not None:
         _check_that_it_turns(poses)
-        return basis_of_poses(recording, poses, recording.wrench)
+        return basis_of_poses(recording, poses, recording.wrench, rows)
     if recording.t[-1] - recording.t[0] < SHORTEST_S or len(recording) < FEWEST_SAMPLES:
         lasts_s = float(recording.t[-1] - recording.t[0])
         raise TooLittleError("gap-too-short", lasts_s=lasts_s)
@@ -71,14 +77,33 @@ def _check_that_it_turns(poses: Poses) -> None:
         raise TooLittleError("gap-hardly-turns")
 
 
-def basis_of_poses(recording: Recording, poses: Poses, wrench: Array) -> Basis:
-    """The basis of a list of poses with one wrench (N, 6) each, averaged or not; where they are labelled, holds alone count.
+def _find_poses(recording: Recording, poses: Poses) -> NDArray[np.intp] | None:
+    """Rows of a list of poses: its holds, all where it has no labels, or of a motion that is logged too slowly what stands still; None
+    where the motion shows well enough."""
+    off = find_way_off(poses) if poses.period <= SLOWEST_STREAM_S else np.inf
+    if off < STREAM:
+        rest = np.flatnonzero(find_resting(poses))
+        shows = off < RESOLVED and poses.position is not None
+        if len(recording) >= FEWEST_SAMPLES and (shows or len(rest) < FEWEST_POSES):
+            return None
+        if len(rest) >= FEWEST_POSES:
+            return rest
+    is_hold = np.ones(len(recording), dtype=bool) if recording.phase is None else np.char.startswith(recording.phase, "hold")
+    return np.flatnonzero(is_hold)
+
+
+def find_way_off(poses: Poses) -> float:
+    """How far poses are off the middle of their neighbours, mean square over that of half the way between these."""
+    R = poses.rotation
+    return float(np.square(R[2:] - 2.0 * R[1:-1] + R[:-2]).sum() / max(np.square(R[2:] - R[:-2]).sum(), 1e-300))
+
+
+def basis_of_poses(recording: Recording, poses: Poses, wrench: Array, kept: NDArray[np.intp]) -> Basis:
+    """The basis of a list of poses with one wrench (N, 6) each, averaged or not; of rows `kept`, in which nothing moves.
 
     Raises:
         TooLittleError: so few that noise cannot be told from a gap.
     """
-    is_hold = np.ones(len(poses.t), dtype=bool) if recording.phase is None else np.char.startswith(recording.phase, "hold")
-    kept = np.flatnonzero(is_hold)
     if len(kept) < FEWEST_POSES:
         raise TooLittleError("gap-too-few-poses", poses=len(kept), needed=FEWEST_POSES)
     g, R, t, w = poses.g[kept], poses.rotation[kept], poses.t[kept], wrench[kept]
