@@ -25,13 +25,16 @@ MATERIAL = 1.5
 """Times the stated noise, over all frequencies."""
 MATERIAL_SLOW = 1.7
 """Times the stated noise, slow part: what averaging leaves."""
+ONLY_SLOW, OWN_FILTER_S = 2.5, 0.005
+"""The same of noise that is as large as stated, and how long it is correlated at least: a filter of 30 Hz does."""
 
 
 class SensorNoise(Symptom):
     """Noise `v_k = rho v_(k-1) + e_k` (AR(1)) of `factor` times the stated standard deviation, in the later part of the holds.
 
     Trend, mains line, repeated samples and what the visible resolution adds are taken out first. Material where it is more than 1.5 times
-    the stated noise, or, correlated, 1.7 times of it in what is slow against the samples, `factor sqrt((1 + rho)/(1 - rho))`.
+    the stated noise, or, correlated, 1.7 times of it in what is slow against the samples, `factor sqrt((1 + rho)/(1 - rho))`. Where it is
+    as large as stated, correlation alone is what every sensor's own filter makes, unless it is larger and lasts longer than that.
     """
 
     id = "sensor_noise"
@@ -66,7 +69,13 @@ class SensorNoise(Symptom):
             return None
         k, channel = find_largest_channel(factor)
         seen = Message.of("symptom-noisier", channel=channel, times=factor[k], correlation=common)
-        material = bool(factor.max() > MATERIAL or slow.max() > MATERIAL_SLOW)
+        as_stated = factor.max() <= 1 + TOLERANCE
+        counts = (
+            (slow > ONLY_SLOW) & (-np.log(np.clip(rho, 1e-9, 0.999)) * OWN_FILTER_S * rate(recording) < 1.0)
+            if as_stated
+            else slow > MATERIAL_SLOW
+        )
+        material = bool(factor.max() > MATERIAL or counts.any())
         times = float(slow.max() if slow.max() / MATERIAL_SLOW > factor.max() / MATERIAL else factor.max())
         return Finding(np.append(factor, common), np.append(std, rho_std), sigma, material, times, seen)
 

@@ -115,6 +115,12 @@ def test_the_correlation_of_coloured_noise_is_measured() -> None:
     assert seen(SensorNoise(), record).material
 
 
+def test_noise_as_large_as_stated_behind_a_sensors_own_filter_is_seen_and_is_not_material() -> None:
+    finding = seen(SensorNoise(), recording(coloured=0.6))
+    assert finding is not None and not finding.material
+    assert finding.times_expected == pytest.approx(2.0, rel=0.1)
+
+
 @pytest.mark.parametrize("factor", [1.2, 1.4])
 def test_a_little_more_noise_is_seen_and_is_not_material(factor: float) -> None:
     finding = seen(SensorNoise(), recording(noise=factor * NOISE))
