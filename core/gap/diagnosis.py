@@ -16,6 +16,7 @@ from core.gap.answering import answer, not_enough
 from core.gap.basis import TooLittleError, basis_of
 from core.gap.contact_answer import answer_touched, find_touched, with_contacts
 from core.gap.evidence import Evidence, describe_limits, gather
+from core.gap.fine_windows import find_what_rings
 from core.gap.fit_all import FitAll, on_all_cores
 from core.gap.joint_answer import answer_joints
 from core.gap.proposal import proposals
@@ -68,6 +69,9 @@ def examine(
     windows = Windows(basis, terms)
     candidates = library() if effects is None else effects
     evidence = gather(windows, candidates, fit_all)
+    fine = None if evidence.material else find_what_rings(evidence.windows, evidence.nominal, evidence.best)
+    if fine is not None:
+        evidence = gather(fine, candidates, fit_all)
     if evidence.verdict == "ambiguous":
         evidence = replace(evidence, proposals=proposals(recording, evidence.windows, evidence.rivals))
     touched = find_touched(evidence, candidates, fit_all) if evidence.verdict == "unknown" else None

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from scipy.sparse import csr_array
 
 from core.array import Array
 from core.effects.effect import Finding, Parameter, Symptom, View
@@ -14,16 +13,14 @@ from core.effects.parameter_title import find_title
 from core.effects.sides import Side
 from core.gap.answer import Also, Value
 from core.gap.effect_fit import EffectFit
+from core.gap.fine_windows import refine
 from core.gap.materiality import is_doubtful
 from core.gap.problem import Problem
-from core.gap.windows import Basis, Rows, Windows, window_rows
+from core.gap.windows import Windows
 from core.recording.recording import Recording
 from core.words.message import Message
 
 SEEN_SIGMA = 5.0
-FINE_S = 0.025
-"""Between windows in which vibrations are looked for: faster ones than those that effects are fitted in show."""
-
 LEADING: tuple[Side, ...] = ("reference", "reading")
 """What the summary goes on with where it is material, in this order."""
 
@@ -63,20 +60,10 @@ def _look_finely(windows: Windows, fit: EffectFit) -> tuple[Array, Array, Array]
     if basis.scene.apart:
         left = windows.unwhiten(fit.residual)
         return windows.centres, left, windows.unwhiten(windows.target) - left
-    fine = Windows(replace(basis, rows=_refine(basis, windows.centres)), windows.held)
+    fine = refine(windows)
     change = fine.rows_of([Problem(fine, fit.effects).change(fit.theta, basis.scene.with_phi(fit.phi))])[..., 0]
     left = fine.unwhiten(fine.target - fine.X @ fit.beta - change)
     return fine.centres, left, fine.y - left
-
-
-def _refine(basis: Basis, centres: Array) -> Rows:
-    """Finer windows where those at `centres` (K,) are, each of the stretch of the one that it is nearest to."""
-    rows = window_rows(basis.poses, basis.scene.t, basis.rows.every, FINE_S)
-    after = np.clip(np.searchsorted(centres, rows.centres), 1, len(centres) - 1)
-    nearest = after - (rows.centres - centres[after - 1] < centres[after] - rows.centres)
-    kept = np.flatnonzero(np.abs(rows.centres - centres[nearest]) <= basis.rows.step)
-    stretch = basis.rows.part[nearest[kept]]
-    return Rows(rows.centres[kept], rows.step, csr_array(rows.average[kept]), stretch, rows.every, basis.rows.at_rest)
 
 
 def observe_joints(recording: Recording) -> list[Also]:
