@@ -46,3 +46,12 @@ def test_where_nothing_is_stated_all_that_is_in_the_holds_is_noise() -> None:
     blown = lfilter([0.04], [1.0, -0.96], 1.5 * (np.floor(T / 1.7) % 2))
     found, whole = find_noise(T, noise(blown), STILL, HOLDS), sensor_noise(T, noise(blown), STILL, HOLDS)
     assert found.variance == pytest.approx(whole.variance)
+
+
+def test_what_rings_after_each_stop_and_dies_down_is_no_noise() -> None:
+    since = T % (500 * PERIOD)
+    rung = 3.0 * np.exp(-since / 0.3) * np.sin(2 * np.pi * 11.0 * since)
+    found = find_noise(T, noise(rung), STILL, HOLDS, nominal_std=STATED)
+    swallowed = sensor_noise(T, noise(rung), STILL, HOLDS, nominal_std=STATED)
+    assert np.sqrt(found.variance) == pytest.approx(STATED, rel=0.3)
+    assert (np.sqrt(swallowed.variance) > 20.0 * STATED).all()
