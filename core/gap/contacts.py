@@ -150,7 +150,8 @@ def find_stretches(t: Array, size: Array) -> list[slice]:
     """
     unit = float(np.median(np.sort(size)[: round(FREE * len(size))]))
     high = np.flatnonzero(size > BEGINS * unit)
-    runs = np.split(high, np.flatnonzero(np.diff(t[high]) > APART_S) + 1)
+    apart = max(APART_S, 1.5 * float(np.median(np.diff(t))))  # rows of slow streams are farther from each other than that
+    runs = np.split(high, np.flatnonzero(np.diff(t[high]) > apart) + 1)
     least = max(STANDS_OUT * unit, LEAST * float(size.max()))
     return [_trim(run, size) for run in runs if len(run) and float(size[run].max()) >= least]
 

@@ -217,3 +217,10 @@ def test_what_contacts_and_an_effect_explain_is_no_surer_than_that_effect_is_of_
     else:
         assert touched.probability < 1.0 - doubt
         assert touched.unknown >= doubt
+
+
+@pytest.mark.parametrize("apart_s", [0.05, 0.8])
+def test_rows_of_one_push_are_one_stretch_however_far_apart_they_are(apart_s: float) -> None:
+    size = np.ones(120)
+    size[40:57] = 30.0
+    assert find_stretches(apart_s * np.arange(120), size) == [slice(40, 57)]
