@@ -83,9 +83,14 @@ class CableDrag(Effect):
         p = scene.position + scene.rotation @ r
         whole = scene.past("place").before(p, 1)
         step = np.diff(whole, axis=0, prepend=whole[:1])[-len(p) :]
-        F = taut(theta[1:4] - theta[0] * (p - scene.past("first place").first(p)), theta[8])
+        F = self.pull(scene, p - scene.past("first place").first(p), theta)
         torque = twist(scene, theta[TWIST]) if len(theta) > TWIST.start else np.zeros_like(F)
         return np.asarray(add_force(w, -turn_back(scene.rotation, self.rub(scene, F, step, theta)), r, torque))
+
+    def pull(self, scene: Scene, way: Array, theta: Array) -> Array:
+        """(N, 3), N, on an end that is `way` (N, 3), m, from its first place, without friction."""
+        del scene
+        return taut(theta[1:4] - theta[0] * way, theta[8])
 
     def rub(self, scene: Scene, F: Array, step: Array, theta: Array) -> Array:
         """(N, 3), N, the pull F (N, 3) with all friction, as its end moves by `step` (N, 3), m, from row to row."""

@@ -72,6 +72,7 @@ PIECES = {
     "lean": Message.of("effect-parameter-lean"),
     "loop_roundness": Message.of("effect-parameter-loop-roundness"),
     "loop_start": Message.of("effect-parameter-loop-start"),
+    "lifted": Message.of("effect-parameter-lifted"),
     "lost": Message.of("effect-parameter-lost"),
     "lower_limit": Message.of("effect-parameter-lower-limit"),
     "mass": Message.of("effect-parameter-mass"),

@@ -73,6 +73,7 @@ CODES = {
     "lean": "report-of-lean",
     "loop_roundness": "report-of-loop-roundness",
     "loop_start": "report-of-loop-start",
+    "lifted": "report-of-lifted",
     "lost": "report-of-lost",
     "lower_limit": "report-of-lower-limit",
     "mass": "report-of-mass",

@@ -67,6 +67,7 @@ effect-angle = { DEGREES($angle_rad, digits: 2) }°
 # The names of parameters, put together: of what ("joint 3", "fx"), what, along which axis.
 effect-parameter-hot = Nullpunkt in der Wärme
 effect-parameter-kept = bleibender Anteil
+effect-parameter-lifted = Gewicht des Angehobenen
 effect-parameter-loop-roundness = Rundung der Schleifen
 effect-parameter-loop-start = Beginn der Schleifen
 effect-parameter-part = { $first } { $then }

@@ -343,6 +343,7 @@ report-of-kept = bleibender Anteil
 report-of-knee = Knick
 report-of-lag = Nachlauf
 report-of-lean = Nachgeben der Basis
+report-of-lifted = Gewicht des Angehobenen
 report-of-loop-roundness = Rundung der Schleifen
 report-of-loop-start = Beginn der Schleifen
 report-of-lost = verloren

@@ -67,6 +67,7 @@ effect-angle = { DEGREES($angle_rad, digits: 2) } deg
 # The names of parameters, put together: of what ("joint 3", "fx"), what, along which axis.
 effect-parameter-hot = offset when hot
 effect-parameter-kept = kept
+effect-parameter-lifted = weight of what is lifted
 effect-parameter-loop-roundness = roundness of loops
 effect-parameter-loop-start = where loops start
 effect-parameter-part = { $first } { $then }

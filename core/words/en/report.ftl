@@ -345,6 +345,7 @@ report-of-kept = kept
 report-of-knee = knee
 report-of-lag = lag
 report-of-lean = lean
+report-of-lifted = weight of what is lifted
 report-of-loop-roundness = roundness of loops
 report-of-loop-start = where loops start
 report-of-lost = lost

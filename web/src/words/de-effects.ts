@@ -95,6 +95,7 @@ export const deEffects: typeof enEffects = {
     knee: 'Knick',
     lag: 'Nachlauf',
     lean: 'Nachgeben der Basis',
+    lifted: 'Gewicht des Angehobenen',
     loop_roundness: 'Rundung der Schleifen',
     loop_start: 'Beginn der Schleifen',
     lost: 'verloren',
