@@ -29,16 +29,17 @@ class CreepByPowerOfTime(SensorCreep):
     wider_shape = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """Shares of the load that have crept after a minute (6), the exponent, and what creeps from before (6), N and N m."""
+        """Shares of the load that have crept after a minute (6), how many times as much after ten, `10^n`, and what creeps from before (6),
+        N and N m."""
         return (
             *shares("creep_share", lower=-0.2, upper=0.2, scale=0.005),
-            Parameter("exponent", "1", 0.25, 0.03, 0.9, 0.15),
+            Parameter("ten_minutes_ratio", "1", 10.0**0.25, 10.0**0.03, 10.0**0.9, 0.6),
             *amplitudes("remaining", bound=expand_to_channels(20.0, 1.0), scale=expand_to_channels(0.3, 0.015)),
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus what has crept by then."""
-        weights = _weigh_lags(theta[6])
+        weights = _weigh_lags(math.log10(theta[6]))
         crept, before = np.zeros_like(w), np.zeros(len(w))
         for k, (weight, tau) in enumerate(zip(weights, TIME_CONSTANTS_S, strict=True)):
             crept += weight * low_pass(w, tau, scene.period, scene.past(f"creep {k}"))
@@ -51,7 +52,7 @@ class CreepByPowerOfTime(SensorCreep):
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Creep of 0.2 % after a minute in all channels, two exponents, nothing from before."""
-        return [np.concatenate((np.full(6, 0.002), [exponent], np.zeros(6))) for exponent in EXPONENTS]
+        return [np.concatenate((np.full(6, 0.002), [10.0**exponent], np.zeros(6))) for exponent in EXPONENTS]
 
     def advice(self, scene: Scene, theta: Array) -> Message:
         """As of one time constant: of what has crept after ten minutes half came within the first."""

@@ -157,7 +157,7 @@ def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wi
     scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
     known = {term.effect.id: [term.theta] for term in windows.held}
     plain = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in effects]
-    singles = choose_variants(nominal, _fit_shapes(windows, nominal, plain, known, fit_all))
+    singles = choose_variants(nominal, _fit_shapes(windows, nominal, [task for task in plain if task.thetas], known, fit_all))
     if _one_is_clear(nominal, singles):
         return singles
     richer = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider]

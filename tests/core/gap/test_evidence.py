@@ -11,6 +11,7 @@ from scipy.interpolate import CubicSpline
 from scipy.ndimage import gaussian_filter1d
 
 from bench.calibration.planting import plant_trial
+from core.array import Array
 from core.effects.crosstalk_of_products import CrosstalkOfProducts
 from core.effects.delay_that_grows import DelayThatGrows
 from core.effects.delay_that_wanders import DelayThatWanders
@@ -21,6 +22,8 @@ from core.effects.lag_of_each_joint import LagOfEachJoint
 from core.effects.library import library
 from core.effects.lowpass_that_opens import LowpassThatOpens
 from core.effects.ripple_that_varies import RippleThatVaries
+from core.effects.scene import Scene
+from core.effects.sensor_gain import SensorGain
 from core.effects.zeros_that_warm_up import ZerosThatWarmUp
 from core.gap.basis import basis_of
 from core.gap.evidence import EXPLAINED, ONE_IS_CLEAR, gather
@@ -135,3 +138,21 @@ def test_cross_talk_of_products_takes_up_nothing_that_another_effect_leaves() ->
     assert CrosstalkOfProducts in {type(effect) for fit in evidence.singles for effect in fit.effects}
     assert CrosstalkOfProducts not in {type(effect) for fit in evidence.joined for effect in fit.effects}
     assert evidence.verdict == "unknown"
+
+
+class ShowsNowhere(SensorGain):
+    """An effect that finds nothing to start from."""
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """None."""
+        del scene, residual
+        return []
+
+
+def test_an_effect_that_has_nothing_to_start_from_is_passed_over() -> None:
+    recording = record(
+        run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(0), Imperfections(delay_s=0.02)
+    )
+    evidence = gather(Windows(basis_of(recording)), [ShowsNowhere(), *few("time_delay")], one_by_one)
+    assert [fit.name for fit in evidence.singles] == ["time_delay"]
+    assert evidence.best.name == "time_delay"
