@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, TypeVar
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from bench.second_stranger.fault import Consequence, Fault, Maker
 from bench.second_stranger.reading import Reader, Referrer, payload_mismatch, sample_dropout, sensor_noise, sensor_quantization
 from bench.second_stranger.rig import Wish
 
+Ordered = TypeVar("Ordered")
 Kind = Literal["none", "single", "double", "unknown"]
 FIRST_SEED, ELASTIC_BY, ELASTIC_COUNT = 20261128, 77, 24
 Masses = tuple[float, float]
@@ -211,11 +212,15 @@ GROUPS = (SINGLES, MISREAD, PAIRS, UNLISTED, NOTHING)
 
 def list_cases() -> list[Case]:
     """All of them, by number."""
-    orders = [(100 * group + place, order) for group, of_group in enumerate(GROUPS) for place, order in enumerate(of_group)]
-    shuffled = np.random.default_rng(FIRST_SEED).permutation(len(orders)).tolist()
-    elastic = np.random.default_rng(ELASTIC_BY).permutation(len(orders))[:ELASTIC_COUNT]
-    cases = []
+    return [Case(*each) for each in number_orders(GROUPS, FIRST_SEED, ELASTIC_BY, ELASTIC_COUNT)]
+
+
+def number_orders(
+    groups: Sequence[Sequence[Ordered]], seed: int, elastic_by: int, elastic_count: int
+) -> Iterator[tuple[str, int, Ordered, bool]]:
+    """Orders shuffled by a seed: number of the folder, key, the order, and whether its joints give a little, drawn by another seed."""
+    orders = [(100 * group + place, order) for group, of_group in enumerate(groups) for place, order in enumerate(of_group)]
+    shuffled = np.random.default_rng(seed).permutation(len(orders)).tolist()
+    elastic = np.random.default_rng(elastic_by).permutation(len(orders))[:elastic_count]
     for number, place in enumerate(shuffled, start=1):
-        key, order = orders[place]
-        cases.append(Case(f"{number:03d}", key, order, place in elastic))
-    return cases
+        yield f"{number:03d}", *orders[place], place in elastic

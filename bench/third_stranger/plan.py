@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
-
-import numpy as np
 
 from bench.second_stranger.fault import Consequence, Fault, Maker
+from bench.second_stranger.plan import Kind, Masses, number_orders
 from bench.second_stranger.reading import Referrer
 from bench.third_stranger.causes import (
     characteristic,
@@ -27,9 +25,7 @@ from bench.third_stranger.reading import Reader, payload_mismatch, sample_dropou
 from bench.third_stranger.scene import Wish
 from bench.third_stranger.tours import Tour
 
-Kind = Literal["none", "single", "double", "unknown"]
 FIRST_SEED, ELASTIC_BY, ELASTIC_COUNT = 311128, 41, 20
-Masses = tuple[float, float]
 USUAL: Masses = (1.2, 5.5)
 HEAVY: Masses = (3.0, 6.0)
 """kg."""
@@ -240,12 +236,6 @@ GROUPS = (SINGLES, BESIDE, PAIRS, UNLISTED, NOTHING)
 
 
 def list_cases() -> list[Case]:
-    """All of them, by number."""
-    orders = [(100 * group + place, order) for group, of_group in enumerate(GROUPS) for place, order in enumerate(of_group)]
-    shuffled = np.random.default_rng(FIRST_SEED).permutation(len(orders)).tolist()
-    elastic = np.random.default_rng(ELASTIC_BY).permutation(len(orders))[:ELASTIC_COUNT]
-    cases = []
-    for number, place in enumerate(shuffled, start=1):
-        key, order = orders[place]
-        cases.append(Case(f"{number:03d}", key, order, place in elastic and not order.is_quiet))
-    return cases
+    """All of them, by number; the arms of quiet ones are stiff."""
+    numbered = number_orders(GROUPS, FIRST_SEED, ELASTIC_BY, ELASTIC_COUNT)
+    return [Case(number, key, order, gives and not order.is_quiet) for number, key, order, gives in numbered]

@@ -69,13 +69,11 @@ class SensorNoise(Symptom):
             return None
         k, channel = find_largest_channel(factor)
         seen = Message.of("symptom-noisier", channel=channel, times=factor[k], correlation=common)
-        as_stated = factor.max() <= 1 + TOLERANCE
-        counts = (
-            (slow > ONLY_SLOW) & (-np.log(np.clip(rho, 1e-9, 0.999)) * OWN_FILTER_S * rate(recording) < 1.0)
-            if as_stated
-            else slow > MATERIAL_SLOW
-        )
-        material = bool(factor.max() > MATERIAL or counts.any())
+        slower = slow > MATERIAL_SLOW
+        if factor.max() <= 1 + TOLERANCE:
+            lasts_s = -1.0 / (rate(recording) * np.log(np.clip(rho, 1e-9, 0.999)))
+            slower = (slow > ONLY_SLOW) & (lasts_s > OWN_FILTER_S)
+        material = bool(factor.max() > MATERIAL or slower.any())
         times = float(slow.max() if slow.max() / MATERIAL_SLOW > factor.max() / MATERIAL else factor.max())
         return Finding(np.append(factor, common), np.append(std, rho_std), sigma, material, times, seen)
 

@@ -40,9 +40,9 @@ FEWEST_HOLDS = 4
 TURNED_M_S2 = 0.5
 """By which gravity has to differ between such holds, standard deviation along its second direction."""
 SLOWEST_STREAM_S, STREAM, RESOLVED = 0.25, 0.1, 0.015
-"""Poses that follow each other more slowly, or are farther off the middle of their neighbours (`find_way_off`), are no motion; those that
-are less than the third off it show how it went. Streams of arms are off by 0.001 to 0.004 at 20 Hz, by 0.003 to 0.08 at 10 Hz, where from
-0.03 on their accelerations are wrong by more than the noise; lists of poses by 2 to 4."""
+"""Poses more than so many seconds apart, or farther than the second figure off the middle of their neighbours (`find_way_off`), are no
+motion; off by less than the third they show how it went. Streams of arms are off by 0.001 to 0.004 at 20 Hz, by 0.003 to 0.08 at 10 Hz,
+where from 0.03 on their accelerations are wrong by more than the noise; lists of poses by 2 to 4."""
 FEWEST_POSES = 16
 """A linear channel under any gravity that drifts can follow eleven of them whatever the noise."""
 

@@ -8,7 +8,8 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from core.gap.closure import gap_of
-from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
+from core.gap.effect_fit import EffectFit, fit_nominal
+from core.gap.evidence import fit_again
 from core.gap.limits import GAP
 from core.gap.weighing import find_left_share
 from core.gap.windows import Rows, Windows, window_rows
@@ -20,7 +21,9 @@ MOST = 0.5
 
 
 def refine(windows: Windows) -> Windows:
-    """Finer ones where these are, each of the stretch of the one that it is nearest to."""
+    """Finer ones where these are, each of the stretch of the one that it is nearest to; the same where they are as fine."""
+    if windows.step <= FINE_S:
+        return windows
     basis, centres = windows.basis, windows.centres
     rows = window_rows(basis.poses, basis.scene.t, basis.rows.every, FINE_S)
     after = np.clip(np.searchsorted(centres, rows.centres), 1, len(centres) - 1)
@@ -33,7 +36,7 @@ def refine(windows: Windows) -> Windows:
 
 def find_what_rings(windows: Windows, nominal: EffectFit, best: EffectFit) -> Windows | None:
     """Finer windows, where an effect that does not matter in these explains a gap there that does."""
-    if not best.effects or windows.basis.scene.apart or windows.step <= FINE_S or gap_of(windows, nominal) > GAP:
+    if not best.effects or windows.basis.scene.apart or gap_of(windows, nominal) > GAP:
         return None
     fine = refine(windows)
     if fine.step >= windows.step:
@@ -41,5 +44,5 @@ def find_what_rings(windows: Windows, nominal: EffectFit, best: EffectFit) -> Wi
     seen = fit_nominal(fine)
     if gap_of(fine, seen) <= GAP:
         return None
-    explained = fit_effects(fine, best.effects, seen, [best.theta])
+    explained = fit_again(best, seen).run(fine)
     return fine if find_left_share(seen, explained) < 1.0 - MOST else None
