@@ -110,7 +110,7 @@ PIECES = {
     "swing": Message.of("effect-parameter-swing"),
     "swinging_inertia": Message.of("effect-parameter-swinging-inertia"),
     "taper": Message.of("effect-parameter-taper"),
-    "ten_minutes": Message.of("effect-parameter-ten-minutes"),
+    "ten_minutes_ratio": Message.of("effect-parameter-ten-minutes-ratio"),
     "third_degree": Message.of("effect-parameter-third-degree"),
     "time_constant": Message.of("effect-parameter-time-constant"),
     "torque_offset": Message.of("effect-parameter-torque-offset"),

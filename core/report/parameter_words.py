@@ -112,7 +112,7 @@ CODES = {
     "swing": "report-of-swing",
     "swinging_inertia": "report-of-swinging-inertia",
     "taper": "report-of-taper",
-    "ten_minutes": "report-of-ten-minutes",
+    "ten_minutes_ratio": "report-of-ten-minutes-ratio",
     "third_degree": "report-of-third-degree",
     "time_constant": "report-of-time-constant",
     "torque_offset": "report-of-torque-offset",

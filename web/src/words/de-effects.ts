@@ -136,7 +136,7 @@ export const deEffects: typeof enEffects = {
     swing: 'Schwankung',
     swinging_inertia: 'schwingende Trägheit',
     taper: 'Verlauf',
-    ten_minutes: 'zehn Minuten zu einer',
+    ten_minutes_ratio: 'zehn Minuten zu einer',
     third_degree: 'Anteil dritten Grades',
     time_constant: 'Zeitkonstante',
     turn_cos: 'Änderung über die Umdrehung, Kosinus',
