@@ -15,11 +15,11 @@ from core.effects.external_contact import ExternalContact
 from core.effects.parameter_title import find_title
 from core.gap.answer import ContactPart, Diagnosis, Explanation, Pair, PayloadPart, Value, Where
 from core.gap.answering import answer, describe_gap, describe_payload, describe_values, with_likely
-from core.gap.attribution import Attribution
+from core.gap.attribution import Attribution, probabilities
 from core.gap.closure import closure_of, gap_of
 from core.gap.contacts import Contact, Contacts, find_contacts, find_free, keep_rows
 from core.gap.effect_fit import EffectFit
-from core.gap.evidence import EXPLAINED, Evidence, fit_again, gather
+from core.gap.evidence import EXPLAINED, Evidence, Singles, fit_again, fit_singly, join
 from core.gap.fit_all import FitAll
 from core.gap.materiality import payload_shift
 from core.gap.problem import Problem
@@ -89,7 +89,10 @@ def _diagnose_rest(evidence: Evidence, contacts: Contacts, effects: Sequence[Eff
     free = keep_rows(windows, contacts.free)
     if free.X.shape[2] != windows.X.shape[2]:
         return None  # nothing is free between two pauses: nobody knows what the sensor reads without a load there
-    rest = gather(free, effects, fit_all)
+    singles = fit_singly(free, effects, fit_all)
+    if _most_probable(nominal, singles) < EXPLAINED:
+        return None  # effects that are sought together take away from each single one
+    rest = join(singles, fit_all)
     explained = rest.best if rest.verdict == "explained" and len(rest.best.effects) == 1 else rest.nominal
     unknown, probability = _doubt(nominal, explained)
     if explained.effects:  # two claims: that it was touched, and what the rest shows
@@ -99,6 +102,13 @@ def _diagnose_rest(evidence: Evidence, contacts: Contacts, effects: Sequence[Eff
         return None
     alone, best = (_carry_over(windows, fit, contacts.free) for fit in (rest.nominal, explained))
     return Touched(contacts, rest, alone, best, probability, unknown)
+
+
+def _most_probable(nominal: EffectFit, rest: Singles) -> float:
+    """Of contacts alone, or beside one effect that explains the rest."""
+    shares = probabilities(rest.nominal, list(rest.fits))[2]
+    beside = (share * _doubt(nominal, fit)[1] for share, fit in zip(shares, rest.fits, strict=True))
+    return max((_doubt(nominal, rest.nominal)[1], *beside))
 
 
 def _doubt(nominal: EffectFit, rest: EffectFit) -> tuple[float, float]:

@@ -120,8 +120,35 @@ class Evidence:
         return (Tie(first, second, distance_sigma(self.windows, first, second)),)
 
 
+@dataclass(frozen=True)
+class Singles:
+    """Each effect fitted by itself, before any are joined.
+
+    Args:
+        windows: of the recording, with what the twin always has on, and gears that turned out to swing.
+        nominal, fits: the twin as it is, and with each effect.
+        shown, wider, last: the effects that the recording can show, their richer shapes, and those that are sought last.
+        stated: whether the twin says already how its gears swing.
+        limits: which effects the recording cannot show, and why.
+    """
+
+    windows: Windows
+    nominal: EffectFit
+    fits: tuple[EffectFit, ...]
+    shown: tuple[Effect, ...]
+    wider: tuple[Effect, ...]
+    last: tuple[Effect, ...]
+    stated: bool
+    limits: tuple[Message, ...]
+
+
 def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all_cores) -> Evidence:
-    """Fits all effects singly, and the most promising pairs."""
+    """Fits all effects singly, and the most promising of them together."""
+    return join(fit_singly(windows, effects, fit_all), fit_all)
+
+
+def fit_singly(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all_cores) -> Singles:
+    """All effects by themselves, in the shapes that are most probable."""
     nominal = fit_nominal(windows)
     scene = windows.basis.scene.with_phi(nominal.phi)
     absences = {effect: _explain_absence(effect, scene, at_rest=windows.basis.rows.at_rest) for effect in effects}
@@ -136,11 +163,18 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
         swinging, (windows, nominal, singles) = nominal, _hold(windows, gears, singles, fit_all)
         if find_left_share(swinging, nominal) < HID_MOST:
             singles = choose_variants(nominal, [*singles, *_fit_singles(windows, nominal, shown, wider, fit_all)])
-    joinable = [effect for effect in (*shown, *wider) if not effect.stands_alone]
+    limits = describe_limits(absences)
+    return Singles(windows, nominal, tuple(singles), tuple(shown), tuple(wider), tuple(last), stated, limits)
+
+
+def join(found: Singles, fit_all: FitAll = on_all_cores) -> Evidence:
+    """Two or three effects at once where one leaves something to explain, and what all of it comes to."""
+    windows, nominal, singles = found.windows, found.nominal, list(found.fits)
+    joinable = [effect for effect in (*found.shown, *found.wider) if not effect.stands_alone]
     grown = _join(windows, nominal, singles, joinable, fit_all)
     if min((find_left_share(nominal, fit) for fit in (*singles, *grown)), default=0.0) > MUCH:
-        singles, grown = _resort_to(windows, nominal, last, singles, grown, fit_all)
-    needed = [] if stated else _find_needed(nominal, singles, grown)[:1]
+        singles, grown = _resort_to(windows, nominal, list(found.last), singles, grown, fit_all)
+    needed = [] if found.stated else _find_needed(nominal, singles, grown)[:1]
     among = next((find_gears_among(windows, fit, fit_all) for fit in needed), None)
     if among is not None:
         windows, nominal, singles = _hold(windows, among, singles, fit_all)
@@ -149,7 +183,7 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     singles = choose_variants(nominal, [*singles, *(fit for fit in fewer if not fit.further)])
     joined = _find_needed(nominal, singles, _take_most_first(nominal, [*grown, *(fit for fit in fewer if fit.further)]))
     attribution = attribute(windows, nominal, [*singles, *joined])
-    return Evidence(windows, nominal, tuple(singles), tuple(joined), attribution, describe_limits(absences))
+    return Evidence(windows, nominal, tuple(singles), tuple(joined), attribution, found.limits)
 
 
 def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wider: list[Effect], fit_all: FitAll) -> list[EffectFit]:
