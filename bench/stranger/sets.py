@@ -7,6 +7,8 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
+from bench.fourth_stranger import making as fourth_making
+from bench.fourth_stranger import plan as fourth_plan
 from bench.second_stranger import making as second_making
 from bench.second_stranger import plan as second_plan
 from bench.stranger import making, plan
@@ -38,5 +40,10 @@ def list_third() -> list[Recording]:
     return [Recording(case.number, case.order.name, partial(third_making.make_case, case)) for case in third_plan.list_cases()]
 
 
-SETS = {"first": list_first, "second": list_second, "third": list_third}
+def list_fourth() -> list[Recording]:
+    """By number."""
+    return [Recording(case.number, case.order.name, partial(fourth_making.make_case, case)) for case in fourth_plan.list_cases()]
+
+
+SETS = {"first": list_first, "second": list_second, "third": list_third, "fourth": list_fourth}
 """By the stranger."""
