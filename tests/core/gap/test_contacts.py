@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from scipy.interpolate import PchipInterpolator
 
-from core.effects.effect import Effect
 from core.effects.library import library
 from core.gap.answer import Diagnosis
 from core.gap.basis import basis_of
@@ -17,8 +15,8 @@ from core.gap.contact_answer import find_touched
 from core.gap.contacts import MARGIN_S, find_contacts, find_stretches
 from core.gap.diagnosis import diagnose
 from core.gap.effect_fit import fit_nominal
-from core.gap.evidence import Evidence, gather
-from core.gap.fit_all import FitAll, on_all_cores
+from core.gap.evidence import Evidence, Singles, gather, join
+from core.gap.fit_all import FitAll, on_all_cores, one_by_one
 from core.gap.windows import Windows
 from core.recording.recording import Recording
 from tests.synthetic import Imperfections, Run, payload, record, run_of
@@ -205,12 +203,12 @@ def test_the_stretches_are_told_in_the_answer_and_to_the_person_at_the_robot(dia
 def test_what_contacts_and_an_effect_explain_is_no_surer_than_that_effect_is_of_the_rest(
     pushed_and_tilted: Recording, monkeypatch: pytest.MonkeyPatch, doubt: float
 ) -> None:
-    def gather_in_doubt(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all_cores) -> Evidence:
-        rest = gather(windows, effects, fit_all)
+    def join_in_doubt(singles: Singles, fit_all: FitAll) -> Evidence:
+        rest = join(singles, fit_all)
         told = tuple((fit, (1.0 - doubt) * probability) for fit, probability in rest.attribution.explained)
         return replace(rest, attribution=replace(rest.attribution, unknown=doubt, explained=told))
 
-    monkeypatch.setattr("core.gap.contact_answer.gather", gather_in_doubt)
+    monkeypatch.setattr("core.gap.contact_answer.join", join_in_doubt)
     touched = find_touched(gather(Windows(basis_of(pushed_and_tilted)), EFFECTS), EFFECTS, on_all_cores)
     if touched is None:
         assert doubt == 0.45
@@ -224,3 +222,16 @@ def test_rows_of_one_push_are_one_stretch_however_far_apart_they_are(apart_s: fl
     size = np.ones(120)
     size[40:57] = 30.0
     assert find_stretches(apart_s * np.arange(120), size) == [slice(40, 57)]
+
+
+def test_where_no_single_effect_explains_what_contacts_leave_no_several_are_sought(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    def join_never(singles: Singles, fit_all: FitAll) -> Evidence:
+        pytest.fail(f"{len(singles.fits)} effects were joined")
+
+    leaning = record(run, payload("steel_block"), np.random.default_rng(8), Imperfections(tilt_rad=(0.2, 0.0)))
+    pushed = push(leaning, run, hand(run, 8, most_n=30.0), (0.02, -0.01, 0.09))
+    others = [effect for effect in library() if effect.id in ("time_delay", "external_contact")]
+    evidence = gather(Windows(basis_of(pushed)), others, one_by_one)
+    assert find_contacts(evidence.windows, evidence.nominal) is not None
+    monkeypatch.setattr("core.gap.contact_answer.join", join_never)
+    assert find_touched(evidence, others, one_by_one) is None
