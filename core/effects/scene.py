@@ -20,6 +20,8 @@ PER_ROW = (
     *("link_inertia", "link_torque", "link_moment", "temperature"),
 )
 
+LEVEL_RAD, STILL_RAD, STILL_M = 0.02, 0.005, 0.002
+
 
 @dataclass(frozen=True)
 class Scene:
@@ -77,6 +79,17 @@ class Scene:
 
     def __len__(self) -> int:
         return len(self.t)
+
+    @property
+    def hardly_turns(self) -> bool:
+        """Whether gravity keeps its direction in the sensor, as with a palletiser, so that it does not tell payload from offsets."""
+        return bool(np.ptp(self.motion.g, axis=0).max() < LEVEL_RAD * np.linalg.norm(self.gravity))
+
+    @property
+    def moves(self) -> bool:
+        """Whether the sensor goes anywhere, or turns."""
+        goes = self.position is not None and np.ptp(self.position, axis=0).max() > STILL_M
+        return bool(goes or np.ptp(self.rotation, axis=0).max() > STILL_RAD)
 
     def __getitem__(self, rows: slice) -> Scene:
         """Some rows of the run, which keep its period."""

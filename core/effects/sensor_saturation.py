@@ -143,4 +143,5 @@ def _gains(columns: Array, Q: Array, r: Array, channel: int) -> Array:
     along = columns.T @ r[rows]
     size = (columns**2).sum(axis=0)
     free = size - ((Q[rows].T @ columns) ** 2).sum(axis=0)
-    return np.where((along > 0) & (free > 1e-6 * size), along**2 / np.maximum(free, np.finfo(float).tiny), 0.0)
+    shows = (along > 0) & (free > 1e-6 * size)
+    return np.where(shows, along**2 / np.where(shows, free, 1.0), 0.0)

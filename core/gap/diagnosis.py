@@ -78,8 +78,9 @@ def examine(
     told = answer(recording, evidence) if touched is None else answer_touched(recording, evidence, touched)
     lacking = describe_limits({find_effect(name): reason for name, reason in explain_lacks(twin, basis.scene).items()})
     apart = _describe_poses(recording) if basis.scene.apart else []
+    level = [Message.of("gap-hardly-turns")] if basis.scene.hardly_turns else []
     swings = [describe_gears(term) for term in evidence.windows.held[len(terms) :]]
-    held = {"twin": [term.effect.id for term in terms], "limits": [*swings, *apart, *told.limits, *lacking]}
+    held = {"twin": [term.effect.id for term in terms], "limits": [*swings, *apart, *level, *told.limits, *lacking]}
     origin = None if folder is None else find_origin(recording, folder, twin)
     shown = evidence if touched is None else with_contacts(evidence, touched)
     return told.model_copy(update={**held, "origin": origin, "seconds": time.perf_counter() - began}), shown

@@ -265,6 +265,8 @@ def _fit_from_most(windows: Windows, nominal: EffectFit, effects: Sequence[Effec
 def _explain_absence(effect: Effect, scene: Scene, *, at_rest: bool) -> Message | None:
     if effect.needs_motion and scene.apart:
         return Message.of("effect-poses-apart")
+    if effect.needs_motion and not scene.moves:
+        return Message.of("effect-nothing-moves")
     if effect.needs_motion and at_rest:
         return Message.of("effect-rest-alone")
     return effect.explain_absence(scene)

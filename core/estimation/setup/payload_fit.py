@@ -90,7 +90,7 @@ def fit_payload(stances: Stances) -> PayloadFit:
     leaning = -g0 * (stances.base @ axes)
     columns = [weight[:, :3, :1], inertia[:, :3, :1], turning[:, :3, 1:4]]
     x, left, S = _solve([*columns, leaning], stances, FORCE, [np.inf] * 5 + [TILT_RAD * spread / g0] * 2)
-    mass = float(x[0])
+    mass = float(x[0] if S[0, 0] <= S[1, 1] else x[1])  # of a sensor that stays level only accelerations show it
     lean = g0 * axes @ x[5:7] / mass if abs(mass) * g0 > 0.3 * spread > 0.0 else np.zeros(3)
     weight = _regressors(stances, stances.gravity + _shorten(lean, 0.3 * g0))[0]
     columns = [weight[:, 3:, 1:4], inertia[:, 3:, 1:4], turning[:, 3:, 4:]]

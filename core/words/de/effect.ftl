@@ -53,6 +53,7 @@ effect-no-position = die Aufzeichnung sagt nicht, wo der Sensor ist
 effect-one-place = der Sensor bleibt an einem Ort
 effect-nothing-turns = in dieser Aufzeichnung dreht sich nichts: im Stillstand zeigt sich nicht, wo der Ursprung des Sensors liegt
 effect-poses-apart = es wurden nur Lagen aufgezeichnet, und er zeigt sich auf dem Weg dazwischen
+effect-nothing-moves = in dieser Aufzeichnung bewegt sich nichts, und er zeigt sich in Bewegung
 effect-rest-alone = Positionen wurden nicht aufgezeichnet, daher wird nur verglichen, was stillstand, und er zeigt sich in Bewegung
 effect-sensor-still = der Sensor steht still (unter { SIGNIFICANT($rate_rad_s, digits: 3) } rad/s), und der Zeitbezug zeigt sich nur, solange sich Lasten ändern
 effect-shape-of-run = die Form, die in diesem Lauf gefunden wurde, behält ein Zwilling nicht

@@ -16,7 +16,6 @@ gap-too-few-poses = { $poses } Lagen sind zu wenige, um eine Abweichung vom Raus
 gap-of-poses = es wurden nur Lagen aufgezeichnet: was auf dem Weg zwischen ihnen geschieht, ist nicht zu sehen
 gap-noise-of-poses = das Rauschen einer Lage ist nicht angegeben: dafür steht, was ein linearer Sensor unter beliebiger Schwerkraft übrig ließe, und darin kann sich eine Abweichung anderer Art verbergen (`sensor.noise_std` gibt es an)
 gap-too-short = { FIXED($lasts_s, digits: 1) } s sind zu kurz, um etwas zu sagen
-gap-hardly-turns = der Sensor dreht sich kaum: so lassen sich Last, Nullpunkte und Effekte nicht trennen
 
 # Where the gap lies.
 gap-largest = Die Abweichung ist am größten in { $channel } bei { $phase } zwischen { SIGNIFICANT($low_hz, digits: 3) } und { SIGNIFICANT($high_hz, digits: 3) } Hz: das { FIXED($times, digits: 1) }-fache des Rauschens, { PERCENT($share) } % der ganzen Abweichung.
@@ -35,6 +34,7 @@ gap-payload-in-doubt = Solange die Ursache nicht bekannt ist, kann niemand sagen
 
 # What this recording cannot say, and what would.
 gap-minor = gefunden, aber zu klein, um von Belang zu sein
+gap-hardly-turns = der Sensor dreht sich kaum: die Schwerkraft trennt Last und Nullpunkte hier nicht, das tun nur Beschleunigungen
 gap-sound-gears = der Arm schwingt auf seinen Getrieben, wie gesunde Arme es tun (weichstes Gelenk { FIXED($softest_nm_per_rad, digits: 0) } N m/rad): das gilt als Teil der Simulation, und Gelenke über { FIXED($least_nm_per_rad, digits: 0) } N m/rad werden nicht genannt
 gap-not-shown = { $title }: { $reason }
 gap-tied = mit anderen Lastparametern und Nullpunkten sagen beide diese Aufzeichnung voraus; sie unterscheiden sich um { FIXED($distance_sigma, digits: 1) } Standardabweichungen

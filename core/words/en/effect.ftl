@@ -53,6 +53,7 @@ effect-no-position = the recording does not say where the sensor is
 effect-one-place = the sensor stays in one place
 effect-nothing-turns = nothing turns in this recording: the place of the sensor's origin does not show at rest
 effect-poses-apart = only poses were recorded, and it shows on the way between them
+effect-nothing-moves = nothing moves in this recording, and it shows in motion
 effect-rest-alone = positions were not recorded, so what stood still is compared alone, and it shows in motion
 effect-sensor-still = the sensor stays still (below { SIGNIFICANT($rate_rad_s, digits: 3) } rad/s), and timing shows only while loads change
 effect-shape-of-run = the shape that was found in this run is one that a twin does not keep

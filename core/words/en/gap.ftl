@@ -16,7 +16,6 @@ gap-too-few-poses = { $poses } poses are too few to tell a gap from noise: at le
 gap-of-poses = only poses were recorded: what happens on the way between them cannot be seen
 gap-noise-of-poses = the noise of a pose is not stated: what a linear sensor under any gravity would leave stands for it, and a gap of another kind may hide in that (`sensor.noise_std` states it)
 gap-too-short = { FIXED($lasts_s, digits: 1) } s are too short to say anything
-gap-hardly-turns = the sensor hardly turns: payload, offsets and effects cannot be told apart
 
 # Where the gap lies.
 gap-largest = The gap is largest in { $channel } during { $phase } between { SIGNIFICANT($low_hz, digits: 3) } and { SIGNIFICANT($high_hz, digits: 3) } Hz: { FIXED($times, digits: 1) } times the noise, { PERCENT($share) } % of the whole gap.
@@ -35,6 +34,7 @@ gap-payload-in-doubt = What it does to the payload cannot be told as long as its
 
 # What this recording cannot say, and what would.
 gap-minor = detected, but too small to matter
+gap-hardly-turns = the sensor hardly turns: gravity does not tell payload from offsets here, only accelerations do
 gap-sound-gears = the arm swings on its gears as sound arms do (softest joint { FIXED($softest_nm_per_rad, digits: 0) } N m/rad): that is taken for a part of the simulation, and joints above { FIXED($least_nm_per_rad, digits: 0) } N m/rad are not named
 gap-not-shown = { $title }: { $reason }
 gap-tied = with other payload parameters and offsets both predict this recording; they differ by { FIXED($distance_sigma, digits: 1) } standard deviations
