@@ -14,6 +14,7 @@ advice-joint-offset-uneven = Centre or replace the encoder of joint { $joint }, 
 advice-joint-offset-warming = Let the arm move for some minutes before it is measured: the zero of joint { $joint } creeps by { DEGREES($change_rad, digits: 2) } deg within { FIXED($within_s, digits: 0) } s.
 advice-kinematic-lag = Record unfiltered joint positions, or shift the joints' time stamps { MILLI($lag_s, digits: 1) } ms earlier.
 advice-kinematic-lag-joints = Record the positions of all joints at one instant and unfiltered: joint { $joint } is { MILLI($lag_s, digits: 1) } ms late, the one that is least late { MILLI($least_s, digits: 1) } ms.
+advice-kinematic-lag-opens = Record unfiltered joint positions: their filter opens with speed, they are { MILLI($lag_s, digits: 1) } ms late at rest and half of it at { SIGNIFICANT($speed_rad_s, digits: 2) } rad/s.
 advice-payload-loose = Fasten the loose part of the payload: about { PERCENT($mass_share) } % of its mass gives by { MILLI($sag_m) } mm under its weight and swings at { FIXED($frequency_hz, digits: 1) } Hz.
 advice-payload-loose-fluid = Fill or empty what holds fluid in the payload: it creeps to the low side within { FIXED($settling_s, digits: 1) } s and moves the first moment by { MILLI($first_moment_kg_m, digits: 1) } kg mm to either side.
 advice-payload-loose-hanging = Fasten the loose part of the payload: about { PERCENT($mass_share) } % of its mass hangs { MILLI($sag_m) } mm below where it is held and swings at { FIXED($frequency_hz, digits: 1) } Hz.
