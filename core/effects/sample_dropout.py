@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from scipy.ndimage import median_filter, uniform_filter1d
 
 from core.array import Array
 from core.effects.effect import Finding, Parameter, Symptom, View
@@ -18,6 +19,8 @@ LEAST = 0.005
 """Share below which nothing is said: an arm that starts and stops makes channels repeat together as well."""
 SAID = 5e-4
 """Share from which it is said: with one digit after the point, smaller ones are 0 %."""
+ABOUT, STEADY = 101, 0.8
+"""Rows about each from which the recorder's period there is taken, and share of them that have it where it is steady."""
 USUAL = 1e-4
 """Share of the rows that a good recorder may hold or lose."""
 
@@ -67,9 +70,13 @@ def _say_shares(held: float, lost: float) -> dict[str, float]:
 
 
 def find_lost_share(t: Array) -> float:
-    """Share of rows that the clock `t` (N,) should have beyond those it has: gaps of one and a half periods and more."""
+    """Share of rows that the clock `t` (N,) should have beyond those it has: gaps of one and a half periods and more. Where a recorder
+    changes its rate, and is steady there, that is its period."""
     steps = np.diff(t)
-    period = float(np.median(steps))
-    steps = steps[steps <= max(PAUSE_S, 1.5 * period)]  # in a longer pause nothing was to be recorded
-    missing = int(np.maximum(np.rint(steps / period) - 1, 0).sum())
+    period = np.full(len(steps), np.median(steps))
+    local = median_filter(steps, ABOUT, mode="nearest")
+    steady = uniform_filter1d((np.abs(steps - local) < 0.25 * local).astype(float), ABOUT, mode="nearest") > STEADY
+    period[steady] = local[steady]
+    short = steps <= np.maximum(PAUSE_S, 1.5 * period)  # in a longer pause nothing was to be recorded
+    missing = int(np.maximum(np.rint(steps[short] / period[short]) - 1, 0).sum())
     return missing / (len(t) + missing)

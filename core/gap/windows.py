@@ -54,6 +54,9 @@ TURNING_STD_M = 1.0
 """Of where a sensor whose position nobody knows turns about, each coordinate: an arm's length."""
 STEP_INSTANTS = 5.0
 """The least spacing of the windows, in periods of the scene."""
+LONG_SHARE, PIECE_SHARE = 0.25, 0.1
+"""Of a recording: what moves for longer than the first at a stretch is left out in pieces as long as the second, since nothing would be
+left to predict it from."""
 FORGOTTEN_S = 0.5
 """Time after which delays and filters have forgotten what was before."""
 
@@ -243,15 +246,20 @@ class Windows:
         return np.stack([self._whitener.whiten(wrench) for wrench in wrenches])
 
     def _groups(self) -> NDArray[np.int64]:
-        """(K,), number of the motion that each window belongs to: what is left out together."""
-        edges = self.basis.poses.t[[part.start for part in self.basis.segments]]
+        """(K,), number of the motion that each window belongs to, or of the piece of a long one: what is left out together."""
+        t = self.basis.poses.t
+        lasts_s = float(np.ptp(t))
+        spans = [(t[part.start], t[part.stop - 1]) for part in self.basis.segments]
+        pieces = [int(np.ceil((b - a) / (PIECE_SHARE * lasts_s))) if b - a > LONG_SHARE * lasts_s else 1 for a, b in spans]
+        edges = np.concatenate([np.linspace(a, b, count, endpoint=False) for (a, b), count in zip(spans, pieces, strict=True)])
         return np.maximum(np.searchsorted(edges, self.centres, side="right") - 1, 0)
 
     @cached_property
     def phase(self) -> NDArray[np.str_]:
         """(K,), label of each window."""
         names = np.array([part.phase for part in self.basis.segments])
-        return names[self.group]
+        edges = self.basis.poses.t[[part.start for part in self.basis.segments]]
+        return names[np.maximum(np.searchsorted(edges, self.centres, side="right") - 1, 0)]
 
     @cached_property
     def _jittered(self) -> list[csr_array]:

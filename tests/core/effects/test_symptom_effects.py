@@ -305,6 +305,14 @@ def test_a_pause_of_the_recorder_loses_nothing() -> None:
     assert seen(SampleDropout(), replace(record, t=record.t + late)) is None
 
 
+@pytest.mark.parametrize("lost", [0.0, 0.1])
+def test_a_recorder_that_goes_on_at_half_its_rate_loses_no_more_than_before(lost: float) -> None:
+    t = times()
+    slower = np.concatenate((t[: len(t) // 2], t[len(t) // 2 :: 2]))
+    kept = slower[np.random.default_rng(8).random(len(slower)) >= lost]
+    assert find_lost_share(kept) == pytest.approx(lost, abs=0.02)
+
+
 def test_jitter_of_the_clock_loses_nothing() -> None:
     t = times() + 0.0004 * np.random.default_rng(7).uniform(-1, 1, len(times()))
     assert find_lost_share(t) == 0

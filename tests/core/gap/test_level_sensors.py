@@ -7,7 +7,10 @@ import pytest
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
+from core.gap.basis import basis_of
 from core.gap.diagnosis import diagnose
+from core.gap.effect_fit import fit_nominal
+from core.gap.windows import Windows
 from core.recording.recording import Recording, SensorDescription
 
 GRAVITY = np.array([0.0, 0.0, -9.81])
@@ -49,6 +52,16 @@ def test_a_base_that_is_not_level_shows_where_the_sensor_turns_about_the_vertica
     told = diagnose(carried(seed=2, tilt_rad=0.03))
     assert (told.verdict, told.effects[0].id) == ("explained", "base_tilt")
     assert abs(told.effects[0].parameters["about_x_rad"].value) == pytest.approx(0.03, abs=0.003)
+
+
+def test_what_never_rests_is_left_out_in_pieces_and_predicted_from_the_others() -> None:
+    tilted = carried(seed=2, tilt_rad=0.03)
+    tilted.wrench[tilted.t > 0.5 * LASTS_S] += [3.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    windows = Windows(basis_of(tilted))
+    assert 10 <= len(np.unique(windows.group)) <= 12
+    assert set(windows.phase) == {"transfer"}
+    nominal = fit_nominal(windows)
+    assert float(nominal.held_out.sum()) == pytest.approx(float(np.square(nominal.residual).sum()), rel=0.15)
 
 
 def test_a_zero_that_jumps_shows_while_nothing_moves_but_no_payload_does() -> None:
