@@ -21,6 +21,8 @@ SAID = 5e-4
 """Share from which it is said: with one digit after the point, smaller ones are 0 %."""
 ABOUT, STEADY = 101, 0.8
 """Rows about each from which the recorder's period there is taken, and share of them that have it where it is steady."""
+QUANTILE_SIGMA, FAR_SIGMA = 1.645, 4.0
+"""Of the logarithm of steps: how far the shortest twentieth is from the median, and what is beyond chance, in standard deviations."""
 USUAL = 1e-4
 """Share of the rows that a good recorder may hold or lose."""
 
@@ -70,13 +72,15 @@ def _say_shares(held: float, lost: float) -> dict[str, float]:
 
 
 def find_lost_share(t: Array) -> float:
-    """Share of rows that the clock `t` (N,) should have beyond those it has: gaps of one and a half periods and more. Where a recorder
-    changes its rate, and is steady there, that is its period."""
+    """Share of rows that the clock `t` (N,) should have beyond those it has: gaps of one and a half periods and more, and longer than an
+    uneven clock makes them. Where a recorder changes its rate, and is steady there, that is its period."""
     steps = np.diff(t)
     period = np.full(len(steps), np.median(steps))
     local = median_filter(steps, ABOUT, mode="nearest")
     steady = uniform_filter1d((np.abs(steps - local) < 0.25 * local).astype(float), ABOUT, mode="nearest") > STEADY
     period[steady] = local[steady]
-    short = steps <= np.maximum(PAUSE_S, 1.5 * period)  # in a longer pause nothing was to be recorded
-    missing = int(np.maximum(np.rint(steps[short] / period[short]) - 1, 0).sum())
+    times = steps / period
+    spread = np.log(1.0 / np.clip(np.quantile(times, 0.05), 1e-3, 1.0)) / QUANTILE_SIGMA  # lost rows lengthen steps: the short ones tell
+    lost = (times >= max(1.5, np.exp(FAR_SIGMA * spread))) & (steps <= np.maximum(PAUSE_S, 1.5 * period))  # nothing was due in a pause
+    missing = int((np.rint(times[lost]) - 1).sum())
     return missing / (len(t) + missing)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
 from itertools import chain
@@ -31,8 +31,8 @@ from core.words.message import Message
 
 CONTACT = ExternalContact()
 NOT_ADDABLE = Message.of("gap-contact-passes")
-BESIDE = 2
-"""Single effects beside which contacts are sought."""
+BESIDE = 6
+"""Single effects beside which contacts are sought: as long as those bend its fit, the one that explains the rest is not among the best."""
 UNITS = {"s": "s", "n": "N", "m": "m"}
 
 
@@ -61,17 +61,24 @@ def find_touched(evidence: Evidence, effects: Sequence[Effect], fit_all: FitAll)
     explain too little of it."""
     windows, nominal = evidence.windows, evidence.nominal
     others = sorted((fit for fit in evidence.singles if fit.name != CONTACT.id), key=lambda fit: fit.chi_square)[:BESIDE]
-    beside = (_find_beside(windows, nominal, fit, fit_all) for fit in others)
-    for found in chain([find_contacts(windows, nominal)], beside):
+    for found in chain([find_contacts(windows, nominal)], _find_beside(windows, nominal, others, fit_all)):
         touched = None if found is None else _diagnose_rest(evidence, found, effects, fit_all)
         if touched is not None:
             return touched
     return None
 
 
-def _find_beside(windows: Windows, nominal: EffectFit, fit: EffectFit, fit_all: FitAll) -> Contacts | None:
-    """Contacts beside an effect, which explains the rest. Its fit to all rows is bent by them, so it is fitted again to those that this one
-    does not miss by far."""
+def _find_beside(windows: Windows, nominal: EffectFit, fits: list[EffectFit], fit_all: FitAll) -> Iterator[Contacts | None]:
+    """Contacts beside each effect that explains the rest, what explains most first. Its fit to all rows is bent by them, so it is fitted
+    again to those that this one does not miss by far."""
+    again = [found for fit in fits if (found := _fit_to_free(windows, fit, fit_all)) is not None]
+    for fit, free in sorted(again, key=lambda found: find_left_share(nominal, found[0])):
+        if _doubt(nominal, fit)[1] >= EXPLAINED:
+            yield find_contacts(windows, _carry_over(windows, fit, free))
+
+
+def _fit_to_free(windows: Windows, fit: EffectFit, fit_all: FitAll) -> tuple[EffectFit, NDArray[np.bool_]] | None:
+    """An effect on the rows (K,) that most agree on beside it; None where these are all, or too few."""
     free = find_free(windows, fit)
     if free is None or free.all():
         return None
@@ -79,8 +86,7 @@ def _find_beside(windows: Windows, nominal: EffectFit, fit: EffectFit, fit_all: 
     if rest.X.shape[2] != windows.X.shape[2]:
         return None
     (again,) = fit_all(rest, [fit_again(fit, fit)])
-    _, probability = _doubt(nominal, again)
-    return find_contacts(windows, _carry_over(windows, again, free)) if probability >= EXPLAINED else None
+    return again, free
 
 
 def _diagnose_rest(evidence: Evidence, contacts: Contacts, effects: Sequence[Effect], fit_all: FitAll) -> Touched | None:

@@ -318,6 +318,14 @@ def test_jitter_of_the_clock_loses_nothing() -> None:
     assert find_lost_share(t) == 0
 
 
+@pytest.mark.parametrize("lost", [0.0, 0.1])
+def test_a_clock_that_nobody_keeps_even_loses_only_what_is_lost(lost: float) -> None:
+    rng = np.random.default_rng(9)
+    steps = 0.01 * rng.gamma(1.0 / 0.25**2, 0.25**2, 8000)
+    steps[rng.random(8000) < lost / 5] += 0.05  # five rows each: of one or two nobody knows
+    assert find_lost_share(np.cumsum(steps)) == pytest.approx(lost, abs=0.02)
+
+
 def test_a_frozen_sensor_is_held() -> None:
     record = recording()
     frozen = record.wrench.copy()
