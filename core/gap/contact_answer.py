@@ -14,7 +14,7 @@ from core.effects.effect import Effect
 from core.effects.external_contact import ExternalContact
 from core.effects.parameter_title import find_title
 from core.gap.answer import ContactPart, Diagnosis, Explanation, Pair, PayloadPart, Value, Where
-from core.gap.answering import answer, describe_gap, describe_payload, describe_values, with_likely
+from core.gap.answering import OPEN, answer, describe_gap, describe_payload, describe_values, with_likely
 from core.gap.attribution import Attribution, probabilities
 from core.gap.closure import closure_of, gap_of
 from core.gap.contacts import Contact, Contacts, find_contacts, find_free, keep_rows
@@ -43,7 +43,8 @@ class Touched:
     Args:
         rest: evidence of the rows that nothing touched.
         alone: the nominal twin fitted to the rest, on all rows: those of the contacts count as explained.
-        best: the same with the effect that explains the rest, where a single one does.
+        beside: the same with each single effect that may explain the rest, and how probable it is there, the most probable first; none
+            where nothing has to, or several effects do.
         probability: that this is why there is a gap.
         unknown: that nothing of the library is.
     """
@@ -51,9 +52,20 @@ class Touched:
     contacts: Contacts
     rest: Evidence
     alone: EffectFit
-    best: EffectFit
+    beside: tuple[tuple[EffectFit, float], ...]
     probability: float
     unknown: float
+
+    @property
+    def best(self) -> EffectFit:
+        """What explains the rest."""
+        return self.beside[0][0] if self.beside else self.alone
+
+    @property
+    def each(self) -> list[tuple[EffectFit, float]]:
+        """Each effect with the probability that it and the contacts are why there is a gap."""
+        share = self.probability * (1.0 - self.rest.attribution.none) / max(1e-12, sum(p for _, p in self.beside))
+        return [(fit, share * p) for fit, p in self.beside]
 
 
 def find_touched(evidence: Evidence, effects: Sequence[Effect], fit_all: FitAll) -> Touched | None:
@@ -99,22 +111,31 @@ def _diagnose_rest(evidence: Evidence, contacts: Contacts, effects: Sequence[Eff
     if _most_probable(nominal, singles) < EXPLAINED:
         return None  # effects that are sought together take away from each single one
     rest = join(singles, fit_all)
-    explained = rest.best if rest.verdict == "explained" and len(rest.best.effects) == 1 else rest.nominal
+    beside = _find_explaining(rest)
+    explained = beside[0][0] if beside else rest.nominal
     unknown, probability = _doubt(nominal, explained)
-    if explained.effects:  # two claims: that it was touched, and what the rest shows
+    if beside:  # two claims: that it was touched, and what the rest shows
         unknown = 1.0 - (1.0 - unknown) * (1.0 - rest.attribution.unknown)
-        probability *= rest.attribution.explained[0][1]
+        probability *= sum(p for _, p in beside)
     if probability < EXPLAINED:
         return None
-    alone, best = (_carry_over(windows, fit, contacts.free) for fit in (rest.nominal, explained))
-    return Touched(contacts, rest, alone, best, probability, unknown)
+    alone = _carry_over(windows, rest.nominal, contacts.free)
+    carried = tuple((_carry_over(windows, fit, contacts.free), p) for fit, p in beside)
+    return Touched(contacts, rest, alone, carried, probability, unknown)
+
+
+def _find_explaining(rest: Evidence) -> list[tuple[EffectFit, float]]:
+    """Single effects that may explain what contacts leave, with their probabilities; none where the best explanation is none of them."""
+    if rest.verdict not in ("explained", "ambiguous") or len(rest.best.effects) != 1:
+        return []
+    return [(fit, p) for fit, p in rest.attribution.explained if len(fit.effects) == 1 and p >= OPEN]
 
 
 def _most_probable(nominal: EffectFit, rest: Singles) -> float:
     """Of contacts alone, or beside one effect that explains the rest."""
     shares = probabilities(rest.nominal, list(rest.fits))[2]
-    beside = (share * _doubt(nominal, fit)[1] for share, fit in zip(shares, rest.fits, strict=True))
-    return max((_doubt(nominal, rest.nominal)[1], *beside))
+    beside = sum(share * _doubt(nominal, fit)[1] for share, fit in zip(shares, rest.fits, strict=True))
+    return max(_doubt(nominal, rest.nominal)[1], beside)
 
 
 def _doubt(nominal: EffectFit, rest: EffectFit) -> tuple[float, float]:
@@ -149,7 +170,7 @@ def answer_touched(recording: Recording, evidence: Evidence, touched: Touched) -
     of_one = sum(each.probability for each in besides if each.id == CONTACT.id)  # one contact says the same with fewer of them
     told = rest.model_copy(
         update={
-            "verdict": "explained",
+            "verdict": "ambiguous" if both and contact.probability + both[0].probability < EXPLAINED else "explained",
             "summary": summary,
             "effects": [
                 contact.model_copy(update={"probability": contact.probability + of_one}),
@@ -176,7 +197,9 @@ def _summarise(touched: Touched) -> Message:
     spans = [Message.of("gap-contact", begin_s=each.begin_s, end_s=each.end_s, most_n=each.most_n) for each in touched.contacts.found]
     said = Message.of("gap-contacts", count=len(spans), contacts=spans)
     if touched.best.effects:
-        more = Message.of("gap-contacts-beside", effects=touched.best.effects[0].title)
+        named = [fit.effects[0].title for fit, _ in touched.beside]
+        effects = reduce(lambda first, second: Message.of("effect-or", first=first, second=second), named)
+        more = Message.of("gap-contacts-beside", effects=effects)
     elif touched.rest.verdict != "no_gap":
         more = Message.of("gap-contacts-rest", gap=gap_of(touched.rest.windows, touched.rest.nominal))
     else:
@@ -211,20 +234,18 @@ def _explain(evidence: Evidence, touched: Touched) -> Explanation:
 
 
 def _explain_both(evidence: Evidence, touched: Touched) -> list[Pair]:
-    """The contacts together with the effect that explains the rest, where a single one does."""
-    if not touched.best.effects:
-        return []
-    windows, best = evidence.windows, touched.best
-    name = best.effects[0].id
+    """The contacts together with each effect that may explain the rest."""
+    windows, strongest = evidence.windows, _list_values(touched.contacts.strongest)
     return [
         Pair(
-            ids=(CONTACT.id, name),
-            probability=touched.probability * (1.0 - touched.rest.attribution.none),
-            gap_after=gap_of(windows, best),
-            closure=closure_of(windows, evidence.nominal, best)[0],
-            parameters={CONTACT.id: _list_values(touched.contacts.strongest), name: describe_values(best)},
+            ids=(CONTACT.id, fit.name),
+            probability=probability,
+            gap_after=gap_of(windows, fit),
+            closure=closure_of(windows, evidence.nominal, fit)[0],
+            parameters={CONTACT.id: strongest, fit.name: describe_values(fit)},
             why_not=NOT_ADDABLE,
         )
+        for fit, probability in touched.each
     ]
 
 
