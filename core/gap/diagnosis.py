@@ -19,6 +19,7 @@ from core.gap.evidence import Evidence, describe_limits, gather
 from core.gap.fine_windows import find_what_rings
 from core.gap.fit_all import FitAll, on_all_cores
 from core.gap.joint_answer import answer_joints
+from core.gap.moments import spare_moments
 from core.gap.proposal import proposals
 from core.gap.sound_gears import describe_gears
 from core.gap.windows import Windows
@@ -75,6 +76,8 @@ def examine(
     if evidence.verdict == "ambiguous":
         evidence = replace(evidence, proposals=proposals(recording, evidence.windows, evidence.rivals))
     touched = find_touched(evidence, candidates, fit_all) if evidence.verdict == "unknown" else None
+    if evidence.verdict == "unknown" and touched is None:
+        evidence = spare_moments(evidence) or evidence
     told = answer(recording, evidence) if touched is None else answer_touched(recording, evidence, touched)
     lacking = describe_limits({find_effect(name): reason for name, reason in explain_lacks(twin, basis.scene).items()})
     apart = _describe_poses(recording) if basis.scene.apart else []

@@ -35,6 +35,7 @@ gap-payload-in-doubt = Solange die Ursache nicht bekannt ist, kann niemand sagen
 # What this recording cannot say, and what would.
 gap-minor = gefunden, aber zu klein, um von Belang zu sein
 gap-hardly-turns = der Sensor dreht sich kaum: die Schwerkraft trennt Last und Nullpunkte hier nicht, das tun nur Beschleunigungen
+gap-moments-left = { PERCENT($share) } % dessen, was der Effekt von der Abweichung lässt, liegen in wenigen Bewegungen, das meiste um { FIXED($at_s, digits: 1) } s: außerhalb davon erklärt er die Aufzeichnung, der Hergang dort ist nicht ganz der seines Modells
 gap-sound-gears = der Arm schwingt auf seinen Getrieben, wie gesunde Arme es tun (weichstes Gelenk { FIXED($softest_nm_per_rad, digits: 0) } N m/rad): das gilt als Teil der Simulation, und Gelenke über { FIXED($least_nm_per_rad, digits: 0) } N m/rad werden nicht genannt
 gap-not-shown = { $title }: { $reason }
 gap-tied = mit anderen Lastparametern und Nullpunkten sagen beide diese Aufzeichnung voraus; sie unterscheiden sich um { FIXED($distance_sigma, digits: 1) } Standardabweichungen

@@ -35,6 +35,7 @@ gap-payload-in-doubt = What it does to the payload cannot be told as long as its
 # What this recording cannot say, and what would.
 gap-minor = detected, but too small to matter
 gap-hardly-turns = the sensor hardly turns: gravity does not tell payload from offsets here, only accelerations do
+gap-moments-left = { PERCENT($share) } % of what the effect leaves of the gap lie in few motions, most of it about { FIXED($at_s, digits: 1) } s: outside of them it explains the recording, how it went there is not quite as its model has it
 gap-sound-gears = the arm swings on its gears as sound arms do (softest joint { FIXED($softest_nm_per_rad, digits: 0) } N m/rad): that is taken for a part of the simulation, and joints above { FIXED($least_nm_per_rad, digits: 0) } N m/rad are not named
 gap-not-shown = { $title }: { $reason }
 gap-tied = with other payload parameters and offsets both predict this recording; they differ by { FIXED($distance_sigma, digits: 1) } standard deviations
