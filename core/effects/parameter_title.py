@@ -92,6 +92,7 @@ PIECES = {
     "rectification": Message.of("effect-parameter-rectification"),
     "remaining": Message.of("effect-parameter-remaining"),
     "rest": Message.of("effect-parameter-rest"),
+    "rubbing_speed": Message.of("effect-parameter-rubbing-speed"),
     "second_degree": Message.of("effect-parameter-second-degree"),
     "second_order": Message.of("effect-parameter-second-order"),
     "settling_rate": Message.of("effect-parameter-settling-rate"),

@@ -94,6 +94,7 @@ CODES = {
     "rectification": "report-of-rectification",
     "remaining": "report-of-remaining",
     "rest": "report-of-rest",
+    "rubbing_speed": "report-of-rubbing-speed",
     "second_degree": "report-of-second-degree",
     "second_order": "report-of-second-order",
     "settling_rate": "report-of-settling-rate",

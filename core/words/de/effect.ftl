@@ -142,6 +142,7 @@ effect-parameter-recovery = Erholungszeit
 effect-parameter-rectification = Gleichrichtung
 effect-parameter-remaining = Kriechen von vorher
 effect-parameter-rest = Anteil, den ein Sprung lässt
+effect-parameter-rubbing-speed = Geschwindigkeit voller Reibung
 effect-parameter-second-degree = Anteil zweiten Grades
 effect-parameter-second-order = Anteil zweiter Ordnung
 effect-parameter-settling-rate = Einschwingrate

@@ -366,6 +366,7 @@ report-of-recovery = Erholungszeit
 report-of-rectification = Gleichrichtung
 report-of-remaining = Kriechen von vorher
 report-of-rest = Anteil, den ein Sprung lässt
+report-of-rubbing-speed = Geschwindigkeit voller Reibung
 report-of-second-degree = Anteil zweiten Grades
 report-of-second-order = Anteil zweiter Ordnung
 report-of-settling-rate = Einschwingrate

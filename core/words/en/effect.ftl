@@ -142,6 +142,7 @@ effect-parameter-recovery = recovery
 effect-parameter-rectification = rectification
 effect-parameter-remaining = creeping from before
 effect-parameter-rest = share that a snap leaves
+effect-parameter-rubbing-speed = speed of full friction
 effect-parameter-second-degree = second-degree share
 effect-parameter-second-order = second-order share
 effect-parameter-settling-rate = settling rate

@@ -368,6 +368,7 @@ report-of-recovery = recovery
 report-of-rectification = rectification
 report-of-remaining = creeping from before
 report-of-rest = share that a snap leaves
+report-of-rubbing-speed = speed of full friction
 report-of-second-degree = second degree
 report-of-second-order = second order
 report-of-settling-rate = settling rate

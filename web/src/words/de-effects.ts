@@ -118,6 +118,7 @@ export const deEffects: typeof enEffects = {
     rectification: 'Gleichrichtung',
     remaining: 'Kriechen von vorher',
     rest: 'Anteil, den ein Sprung lässt',
+    rubbing_speed: 'Geschwindigkeit voller Reibung',
     second_degree: 'Anteil zweiten Grades',
     second_order: 'Anteil zweiter Ordnung',
     settling_rate: 'Einschwingrate',
