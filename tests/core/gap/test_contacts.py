@@ -11,7 +11,7 @@ from scipy.interpolate import PchipInterpolator
 from core.effects.library import library
 from core.gap.answer import Diagnosis
 from core.gap.basis import basis_of
-from core.gap.contact_answer import find_touched
+from core.gap.contact_answer import answer_touched, find_touched
 from core.gap.contacts import MARGIN_S, find_contacts, find_stretches
 from core.gap.diagnosis import diagnose
 from core.gap.effect_fit import fit_nominal
@@ -215,6 +215,24 @@ def test_what_contacts_and_an_effect_explain_is_no_surer_than_that_effect_is_of_
     else:
         assert touched.probability < 1.0 - doubt
         assert touched.unknown >= doubt
+
+
+def test_what_may_explain_the_rest_is_told_with_each_of_its_names(pushed_and_tilted: Recording, monkeypatch: pytest.MonkeyPatch) -> None:
+    def join_in_two_minds(singles: Singles, fit_all: FitAll) -> Evidence:
+        rest = join(singles, fit_all)
+        fits = {fit.name: fit for fit in rest.singles}
+        told = ((fits["base_tilt"], 0.48), (fits["sensor_gain"], 0.44))
+        return replace(rest, attribution=replace(rest.attribution, none=0.0, unknown=0.08, explained=told))
+
+    monkeypatch.setattr("core.gap.contact_answer.join", join_in_two_minds)
+    evidence = gather(Windows(basis_of(pushed_and_tilted)), EFFECTS)
+    touched = find_touched(evidence, EFFECTS, on_all_cores)
+    assert touched is not None
+    told = answer_touched(pushed_and_tilted, evidence, touched)
+    assert [pair.ids for pair in told.pairs[:2]] == [("external_contact", "base_tilt"), ("external_contact", "sensor_gain")]
+    assert told.pairs[0].probability / told.pairs[1].probability == pytest.approx(0.48 / 0.44)
+    assert told.verdict == "ambiguous"
+    assert " or " in told.summary.text
 
 
 @pytest.mark.parametrize("apart_s", [0.05, 0.8])
