@@ -26,6 +26,8 @@ PIECES = {
     "amplitude": Message.of("effect-parameter-amplitude"),
     "asymmetry": Message.of("effect-parameter-asymmetry"),
     "at": Message.of("effect-parameter-at"),
+    "bridge": Message.of("effect-parameter-bridge"),
+    "bridge_limit": Message.of("effect-parameter-bridge-limit"),
     "contact_torque": Message.of("effect-parameter-contact-torque"),
     "corner": Message.of("effect-parameter-corner"),
     "correlation": Message.of("effect-parameter-correlation"),

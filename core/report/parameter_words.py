@@ -24,6 +24,8 @@ CODES = {
     "amplitude": "report-of-amplitude",
     "asymmetry": "report-of-asymmetry",
     "at": "report-of-at",
+    "bridge": "report-of-bridge",
+    "bridge_limit": "report-of-bridge-limit",
     "contact_torque": "report-of-contact-torque",
     "corner": "report-of-corner",
     "correlation": "report-of-correlation",

@@ -55,6 +55,7 @@ advice-sensor-quantization = Choose the sensor's finest resolution or a smaller 
 advice-sensor-rotation = Correct the sensor frame in the URDF: turn it by { DEGREES($x_rad, digits: 2) }, { DEGREES($y_rad, digits: 2) } and { DEGREES($z_rad, digits: 2) } deg about its x, y and z axes, or remount the sensor.
 advice-sensor-saturation-above = Choose a larger range of the sensor or a lighter payload: { $channel } is clipped above { $clipped_at } (without the offset), the run needs { $needed }.
 advice-sensor-saturation-below = Choose a larger range of the sensor or a lighter payload: { $channel } is clipped below { $clipped_at } (without the offset), the run needs { $needed }.
+advice-sensor-saturation-bridge = Choose a larger range of the sensor or a lighter payload: one of its bridges is at its end in { PERCENT($share) } % of the run, and { $channel } loses most by it.
 advice-sensor-translation = Move the sensor frame in the URDF by { MILLI($x_m, digits: 1) }, { MILLI($y_m, digits: 1) } and { MILLI($z_m, digits: 1) } mm along its x, y and z axes.
 advice-structure-vibration = Find what shakes at { FIXED($frequency_hz, digits: 1) } Hz (a machine beside the robot, a table that is not firm, a blow), or hold longer and measure when it is quiet.
 advice-time-delay = Stamp wrench and joints with one clock, or set a delay of { MILLI($delay_s, digits: 1) } ms in the recorder.
