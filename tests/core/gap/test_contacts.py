@@ -233,6 +233,7 @@ def test_what_may_explain_the_rest_is_told_with_each_of_its_names(pushed_and_til
     assert told.pairs[0].probability / told.pairs[1].probability == pytest.approx(0.48 / 0.44)
     assert told.verdict == "ambiguous"
     assert " or " in told.summary.text
+    assert told.instruction.level == "ask"  # no motion makes somebody push again
 
 
 @pytest.mark.parametrize("apart_s", [0.05, 0.8])
