@@ -125,10 +125,11 @@ def _diagnose_rest(evidence: Evidence, contacts: Contacts, effects: Sequence[Eff
 
 
 def _find_explaining(rest: Evidence) -> list[tuple[EffectFit, float]]:
-    """Single effects that may explain what contacts leave, with their probabilities; none where the best explanation is none of them."""
-    if rest.verdict not in ("explained", "ambiguous") or len(rest.best.effects) != 1:
+    """Single effects that may explain what contacts leave, with their probabilities; none where the best explanation is none of them, or
+    one more contact."""
+    if rest.verdict not in ("explained", "ambiguous") or len(rest.best.effects) != 1 or rest.best.name == CONTACT.id:
         return []
-    return [(fit, p) for fit, p in rest.attribution.explained if len(fit.effects) == 1 and p >= OPEN]
+    return [(fit, p) for fit, p in rest.attribution.explained if len(fit.effects) == 1 and p >= OPEN and fit.name != CONTACT.id]
 
 
 def _most_probable(nominal: EffectFit, rest: Singles) -> float:
