@@ -9,15 +9,16 @@ from pathlib import Path
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from bench.fourth_stranger.plan import FIRST_SEED, Case, Order
+from bench.fourth_stranger.plan import FIRST_SEED, Case
 from bench.fourth_stranger.reading import draw_noise, read_in_form
 from bench.fourth_stranger.scene import draw_scene
 from bench.fourth_stranger.writing import write_recording
-from bench.second_stranger.fault import Fault, Planted, Size
-from bench.second_stranger.reading import Reading, Reference, refer_rightly
+from bench.second_stranger.fault import Planted
+from bench.second_stranger.reading import refer_rightly
 from bench.second_stranger.rivals import Rivals
 from bench.second_stranger.sensing import sample
 from bench.second_stranger.sizing import Yardstick
+from bench.second_stranger.telling import describe_variant, find_temperature, measure_seen, tell_sizes
 
 Truth = dict[str, object]
 READING_SEED = 404
@@ -49,14 +50,14 @@ def _make(case: Case, folder: Path) -> Truth:
     reading = (order.read or read_in_form)(rng, scene, samples.wrench + rig.offset + draw_noise(rng, scene))
     reference = (order.refer or refer_rightly)(rig)
     is_referred = rng.random() < 0.85 or order.refer is not None
-    write_recording(rng, folder, scene, samples, reading.wrench, _find_temperature(faults), reference if is_referred else None)
-    sizes = _tell_sizes(planted, reading, reference)
+    write_recording(rng, folder, scene, samples, reading.wrench, find_temperature(faults), reference if is_referred else None)
+    sizes = tell_sizes(planted, reading, reference)
     whole = Yardstick(rig)
-    seen, each = _measure(whole, yardstick, planted, [rms for _, rms in sized], reading)
+    seen, each = measure_seen(whole, yardstick, planted, [rms for _, rms in sized], reading)
     return {
         "kind": order.kind,
         "families": list(order.families),
-        "variant": order.variant or _describe_variant(order, sizes),
+        "variant": order.variant or describe_variant(order.name, sizes),
         "size": [size._asdict() for size in sizes],
         "visible_sigma": seen,
         "rms_excess_per_sample": seen / yardstick.root_count,
@@ -86,27 +87,6 @@ def _make(case: Case, folder: Path) -> Truth:
     }
 
 
-def _find_temperature(faults: Sequence[Fault]) -> np.ndarray | None:
-    """(N,), degrees Celsius, of the last that has one."""
-    return next((fault.temperature for fault in reversed(faults) if fault.temperature is not None), None)
-
-
-def _tell_sizes(planted: Sequence[Planted], reading: Reading, reference: Reference) -> list[Size]:
-    of_faults = [fault.size(scale) for fault, scale in planted]
-    rounded = [size._replace(value=float(f"{size.value:.6g}")) for size in of_faults]
-    return rounded + [size for size in (reading.size, reference.size) if size is not None]
-
-
-def _measure(
-    whole: Yardstick, yardstick: Yardstick, planted: Sequence[Planted], each: list[float], reading: Reading
-) -> tuple[float, list[float]]:
-    """What is to be seen of all causes, over what counts of the recording, and the rms of each, in noise standard deviations."""
-    if reading.changed is not None:
-        seen = whole.measure_reading(reading.changed)
-        return seen, [seen / whole.root_count]
-    return (yardstick.measure(planted), each) if planted else (0.0, [0.0] * (reading.size is not None))
-
-
 def _measure_beside(yardstick: Yardstick, planted: Sequence[Planted]) -> list[float]:
     """For each of two: the rms by which the wrench with both differs from that with the other one alone, noise standard deviations."""
     if len(planted) < 2:
@@ -114,8 +94,3 @@ def _measure_beside(yardstick: Yardstick, planted: Sequence[Planted]) -> list[fl
     both = yardstick.measure(planted)
     alone = [yardstick.measure([each]) for each in reversed(planted)]
     return [float(np.sqrt(max(both**2 - other**2, 0.0))) / yardstick.root_count for other in alone]
-
-
-def _describe_variant(order: Order, sizes: Sequence[Size]) -> str:
-    names = order.name.replace("_", " ").split("+")
-    return " + ".join(f"{name}: {size.what}" for name, size in zip(names, sizes, strict=True))

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-import pinocchio as pin
-from scipy.interpolate import CubicSpline
 
 from bench.fourth_stranger.forms import Form
 from bench.fourth_stranger.machines import Machine, load_machine
@@ -14,10 +12,10 @@ from bench.fourth_stranger.motion import Kind, draw_motion
 from bench.second_stranger.array import Array
 from bench.second_stranger.draws import normalise
 from bench.second_stranger.motions import follow_motion
-from bench.second_stranger.rig import TORQUES_EVERY, Background, Rig
+from bench.second_stranger.rig import Background, Rig, find_torques
 from bench.second_stranger.rigid_body import Body
 from bench.second_stranger.rotations import rotate_by_vector
-from bench.second_stranger.signals import STEP_S, derive
+from bench.second_stranger.signals import STEP_S
 
 SITES = ((52.3, 55.0), (46.9, 540.0), (64.1, 40.0), (1.3, 15.0), (19.4, 2240.0))
 """Latitude, deg, and elevation, m: Hanover, Berne, Reykjavik, Singapore and Mexico City or so."""
@@ -105,7 +103,7 @@ def draw_scene(rng: np.random.Generator, wish: Wish) -> Scene:
         stretches=stretches,
         t=t,
         q=q,
-        torques=_find_torques(machine, body, gravity, t, q),
+        torques=find_torques(load_machine(machine), body, gravity, t, q),
         body=body,
         noise_std=noise_std,
         offset=np.zeros(6),
@@ -160,16 +158,3 @@ def _list_times(rng: np.random.Generator, form: Form, seconds: float) -> Array:
         keep = (times < rng.uniform(0.35, 0.65) * seconds) | (np.arange(count) % 2 == 0)
         times = times[keep]
     return np.round(times + 0.006, 6)
-
-
-def _find_torques(machine: Machine, body: Body, gravity: Array, t: Array, q: Array) -> Array:
-    """(N, n), N m, of links and payload along joints (N, n), rad; by Pinocchio, 50 times in a second with splines between."""
-    model = load_machine(machine)
-    frame = model.frames[model.getFrameId("ft_sensor")]
-    model.appendBodyToJoint(frame.parentJoint, pin.Inertia(body.mass, body.com, body.inertia_at_com), frame.placement)
-    model.gravity.linear = gravity
-    data = model.createData()
-    dq = derive(q)
-    ddq = derive(dq)
-    some = np.arange(0, len(t), TORQUES_EVERY)
-    return np.asarray(CubicSpline(t[some], np.array([pin.rnea(model, data, q[i], dq[i], ddq[i]) for i in some]))(t))

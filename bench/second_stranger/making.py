@@ -8,13 +8,14 @@ from pathlib import Path
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from bench.second_stranger.fault import Fault, Planted, Size
+from bench.second_stranger.fault import Fault, Planted
 from bench.second_stranger.plan import FIRST_SEED, Case, Order
 from bench.second_stranger.reading import Reading, Reference, payload_mismatch, read_plainly, refer_rightly
 from bench.second_stranger.rig import Rig, draw_rig
 from bench.second_stranger.rivals import Rivals
 from bench.second_stranger.sensing import sample
 from bench.second_stranger.sizing import Yardstick
+from bench.second_stranger.telling import describe_variant, find_temperature, tell_sizes
 from bench.second_stranger.writing import write_recording
 
 Truth = dict[str, object]
@@ -46,15 +47,13 @@ def _make(case: Case, folder: Path) -> Truth:
     reference = (order.refer or refer_rightly)(rig)
     is_referred = rng.random() < 0.9 or order.refer is payload_mismatch
     sign = -1 if rng.random() < 0.1 else 1
-    temperatures = [fault.temperature for fault in faults if fault.temperature is not None]
-    temperature = temperatures[-1] if temperatures else None
-    write_recording(rng, folder, rig, samples.joints, reading.wrench, temperature, reference if is_referred else None, sign)
-    sizes = _tell_sizes(planted, reading, reference)
+    write_recording(rng, folder, rig, samples.joints, reading.wrench, find_temperature(faults), reference if is_referred else None, sign)
+    sizes = tell_sizes(planted, reading, reference)
     seen, each = _measure(yardstick, planted, [rms for _, rms in sized], reading, reference)
     return {
         "kind": order.kind,
         "families": list(order.families),
-        "variant": order.variant or _describe_variant(order, sizes),
+        "variant": order.variant or describe_variant(order.name, sizes),
         "size": [size._asdict() for size in sizes],
         "visible_sigma": seen,
         "rms_excess_per_sample": seen / yardstick.root_count,
@@ -80,12 +79,6 @@ def _draw_faults(rng: np.random.Generator, rig: Rig, order: Order) -> list[Fault
     return faults
 
 
-def _tell_sizes(planted: Sequence[Planted], reading: Reading, reference: Reference) -> list[Size]:
-    of_faults = [fault.size(scale) for fault, scale in planted]
-    rounded = [size._replace(value=float(np.round(size.value, 6))) for size in of_faults]
-    return rounded + [size for size in (reading.size, reference.size) if size is not None]
-
-
 def _measure(
     yardstick: Yardstick, planted: Sequence[Planted], each: list[float], reading: Reading, reference: Reference
 ) -> tuple[float, list[float]]:
@@ -96,8 +89,3 @@ def _measure(
     if reference.size is not None:
         return 0.0, [0.0]
     return (yardstick.measure(planted) if planted else 0.0), each
-
-
-def _describe_variant(order: Order, sizes: Sequence[Size]) -> str:
-    names = order.name.replace("_", " ").split("+")
-    return " + ".join(f"{name}: {size.what}" for name, size in zip(names, sizes, strict=True))

@@ -184,7 +184,7 @@ def draw_rig(rng: np.random.Generator, wish: Wish) -> Rig:
         stretches=stretches,
         t=t,
         q=q,
-        torques=find_torques(arm, body, gravity, t, q),
+        torques=find_torques(load_model(arm), body, gravity, t, q),
         body=body,
         noise_std=noise_std,
         offset=offset,
@@ -218,9 +218,9 @@ def _draw_drift(rng: np.random.Generator, t: Array, seconds: float, noise_std: A
     return np.asarray(0.12 * noise_std * (slow + 0.5 * np.sin(2 * np.pi * t[:, None] / (0.7 * seconds) + phase[1])))
 
 
-def find_torques(arm: Arm, body: Body, gravity: Array, t: Array, q: Array) -> Array:
-    """(N, n), N m, of links and payload along joints (N, n), rad; by Pinocchio, 50 times in a second with splines between."""
-    model = load_model(arm)
+def find_torques(model: pin.Model, body: Body, gravity: Array, t: Array, q: Array) -> Array:
+    """(N, n), N m, of links and payload along joints (N, n), rad; by Pinocchio, 50 times in a second with splines between;
+    the model, one of its own, is changed."""
     frame = model.frames[model.getFrameId("ft_sensor")]
     model.appendBodyToJoint(frame.parentJoint, pin.Inertia(body.mass, body.com, body.inertia_at_com), frame.placement)
     model.gravity.linear = gravity

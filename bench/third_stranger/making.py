@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from bench.second_stranger.fault import Fault, Planted, Size
-from bench.second_stranger.reading import Reading, Reference, refer_rightly
+from bench.second_stranger.fault import Planted
+from bench.second_stranger.reading import refer_rightly
 from bench.second_stranger.rivals import Rivals
 from bench.second_stranger.sensing import Samples, sample
 from bench.second_stranger.sizing import Yardstick
-from bench.third_stranger.plan import FIRST_SEED, Case, Order
+from bench.second_stranger.telling import describe_variant, find_temperature, measure_seen, tell_sizes
+from bench.third_stranger.plan import FIRST_SEED, Case
 from bench.third_stranger.reading import draw_noise, payload_mismatch, poll, read_in_form
 from bench.third_stranger.scene import Scene, draw_scene
 from bench.third_stranger.writing import write_recording
@@ -52,14 +52,14 @@ def _make(case: Case, folder: Path) -> Truth:
     reading = (order.read or read_in_form)(rng, scene, samples.wrench + rig.offset + draw_noise(rng, scene))
     reference = (order.refer or refer_rightly)(rig)
     is_referred = rng.random() < 0.9 or order.refer is payload_mismatch
-    write_recording(rng, folder, scene, samples, reading.wrench, _find_temperature(faults), reference if is_referred else None)
-    sizes = _tell_sizes(planted, reading, reference)
+    write_recording(rng, folder, scene, samples, reading.wrench, find_temperature(faults), reference if is_referred else None)
+    sizes = tell_sizes(planted, reading, reference)
     whole = Yardstick(rig, scene.always)
-    seen, each = _measure(whole, yardstick, planted, [rms for _, rms in sized], reading)
+    seen, each = measure_seen(whole, yardstick, planted, [rms for _, rms in sized], reading)
     return {
         "kind": order.kind,
         "families": list(order.families),
-        "variant": order.variant or _describe_variant(order, sizes),
+        "variant": order.variant or describe_variant(order.name, sizes),
         "size": [size._asdict() for size in sizes],
         "visible_sigma": seen,
         "rms_excess_per_sample": seen / yardstick.root_count,
@@ -88,27 +88,6 @@ def _make(case: Case, folder: Path) -> Truth:
     }
 
 
-def _find_temperature(faults: Sequence[Fault]) -> np.ndarray | None:
-    """(N,), degrees Celsius, of the last that has one."""
-    return next((fault.temperature for fault in reversed(faults) if fault.temperature is not None), None)
-
-
-def _tell_sizes(planted: Sequence[Planted], reading: Reading, reference: Reference) -> list[Size]:
-    of_faults = [fault.size(scale) for fault, scale in planted]
-    rounded = [size._replace(value=float(np.round(size.value, 6))) for size in of_faults]
-    return rounded + [size for size in (reading.size, reference.size) if size is not None]
-
-
-def _measure(
-    whole: Yardstick, yardstick: Yardstick, planted: Sequence[Planted], each: list[float], reading: Reading
-) -> tuple[float, list[float]]:
-    """What is to be seen of all causes, over what counts of the recording, and the rms of each, in noise standard deviations."""
-    if reading.changed is not None:
-        seen = whole.measure_reading(reading.changed)
-        return seen, [seen / whole.root_count]
-    return (yardstick.measure(planted), each) if planted else (0.0, [0.0] * (reading.size is not None))
-
-
 def _find_rivals(scene: Scene, samples: Samples, whole: Yardstick) -> dict[str, float]:
     found = Rivals(scene.rig, samples).measure(whole.subtract(samples))
     return {name: left for name, left in found.items() if not (scene.form.poses and name in OF_MOTION)}
@@ -120,8 +99,3 @@ def _measure_form(scene: Scene, samples: Samples, whole: Yardstick) -> float:
         return 0.0
     held = samples.wrench[poll(scene.rig.times, scene.form.polled)]
     return whole.measure_reading(held - samples.wrench) / whole.root_count
-
-
-def _describe_variant(order: Order, sizes: Sequence[Size]) -> str:
-    names = order.name.replace("_", " ").split("+")
-    return " + ".join(f"{name}: {size.what}" for name, size in zip(names, sizes, strict=True))

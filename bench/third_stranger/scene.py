@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from bench.second_stranger.arms import Arm
+from bench.second_stranger.arms import Arm, load_model
 from bench.second_stranger.array import Array
 from bench.second_stranger.fault import Fault, Planted, Size
 from bench.second_stranger.motions import Stretch, follow_motion
@@ -121,7 +121,7 @@ def draw_scene(rng: np.random.Generator, wish: Wish) -> Scene:
         stretches=stretches,
         t=t,
         q=q,
-        torques=find_torques(arm, body, gravity, t, q),
+        torques=find_torques(load_model(arm), body, gravity, t, q),
         body=body,
         noise_std=noise_std,
         offset=np.zeros(6),

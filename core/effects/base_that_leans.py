@@ -40,10 +40,6 @@ class BaseThatLeans(BaseTilt):
             return Message.of("effect-no-position")
         return Message.of("effect-no-masses") if scene.link_moment is None else None
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Twins keep the base as it stands on the mean."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Level, and leaning as on rubber; nothing where the masses of the arm or its place are not known."""
         if self.explain_lack(scene) is not None:

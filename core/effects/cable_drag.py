@@ -155,6 +155,13 @@ def twist(scene: Scene, theta: Array) -> Array:
     return np.asarray(torque * scene.jacobian[:, 3:, -1])
 
 
+def find_taken_up(scene: Scene, rows: slice) -> Array:
+    """(3 n, m), orthonormal: what payload and offsets take up of the force in n rows of the scene, weighed as residuals are."""
+    columns = regressor(scene.motion[rows])[:, :3]
+    columns = np.concatenate([columns, np.broadcast_to(np.eye(3), (len(columns), 3, 3))], axis=2)
+    return np.linalg.svd((columns * weights(scene)[:3, None]).reshape(-1, columns.shape[2]), full_matrices=False)[0]
+
+
 def _find_cables(scene: Scene, residual: Array) -> list[tuple[Array, float]]:
     """Fixed points (m, from the first place) and free lengths (m) of the cables and of the reel whose pull looks most like the residual.
 
@@ -164,9 +171,7 @@ def _find_cables(scene: Scene, residual: Array) -> list[tuple[Array, float]]:
         return []
     rows = slice(0, None, max(1, len(scene) // LOOKED_AT))
     R, p = scene.rotation[rows], scene.position[rows] - scene.position[0]
-    nuisance = np.concatenate([regressor(scene.motion[rows])[:, :3], np.broadcast_to(np.eye(3), (len(p), 3, 3))], axis=2)
-    scale = weights(scene)[:3]
-    Q = np.linalg.svd((nuisance * scale[:, None]).reshape(3 * len(p), -1), full_matrices=False)[0]
+    scale, Q = weights(scene)[:3], find_taken_up(scene, rows)
     cables, gains = [], []
     for anchor in ANCHORS:
         away = anchor - p

@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from core.array import Array
-from core.effects.cable_drag import CREEP, LOOKED_AT, CableDrag
+from core.effects.cable_drag import CREEP, LOOKED_AT, CableDrag, find_taken_up
 from core.effects.effect import Parameter
 from core.effects.scene import Scene
 from core.effects.vectors import add_force, turn_back
 from core.effects.window_search import weights
-from core.payload.inertia import regressor
 from core.words.message import Message
 
 RISE = np.radians((0.0, 35.0, 65.0))
@@ -60,9 +59,7 @@ class CableOnRail(CableDrag):
             return []
         rows = slice(0, None, max(1, len(scene) // LOOKED_AT))
         R, p, v = scene.rotation[rows], scene.position[rows] - scene.position[0], np.gradient(scene.position, scene.period, axis=0)[rows]
-        nuisance = np.concatenate([regressor(scene.motion[rows])[:, :3], np.broadcast_to(np.eye(3), (len(p), 3, 3))], axis=2)
-        scale = weights(scene)[:3]
-        Q = np.linalg.svd((nuisance * scale[:, None]).reshape(3 * len(p), -1), full_matrices=False)[0]
+        scale, Q = weights(scene)[:3], find_taken_up(scene, rows)
         r = residual[rows, :3].ravel()
         found = []
         for a in WAYS:

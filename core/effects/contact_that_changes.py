@@ -30,10 +30,6 @@ class ContactThatChanges(ExternalContact):
         f = on * np.einsum("ni,nij->nj", force, scene.rotation)
         return np.asarray(w - np.hstack([f, cross(theta[6:9], f)]))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """What touched one run does not touch the next."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Pushes that stay as they are, with quick and slow edges."""
         pushes = super().starts(scene, residual)[:2]

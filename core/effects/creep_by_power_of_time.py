@@ -46,10 +46,6 @@ class CreepByPowerOfTime(SensorCreep):
             before -= weight * np.expm1(-scene.elapsed / tau)
         return np.asarray(w + theta[:6] * crept + np.multiply.outer(before, theta[7:]))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """What crept before was of that run."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Creep of 0.2 % after a minute in all channels, two exponents, nothing from before."""
         return [np.concatenate((np.full(6, 0.002), [10.0**exponent], np.zeros(6))) for exponent in EXPONENTS]

@@ -45,10 +45,6 @@ class CrosstalkOfProducts(SensorCrosstalk):
         products = _multiply(w / load) @ b[:, FIRST, SECOND].T
         return np.asarray(super().wrench(scene, w, theta[:LINEAR]) + load * products)
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Its loads are those of this payload."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """None of it, where products explain most of what all that is linear leaves."""
         return [np.zeros(LINEAR + len(PRODUCTS))] if _do_products_show(scene, residual) else []

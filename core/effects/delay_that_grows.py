@@ -48,10 +48,6 @@ class DelayThatGrows(TimeDelay):
         late = theta[0] + theta[1] * theta[2] * _sawtooth(scene.t, theta[2], theta[3])
         return delay_each(w, late / scene.period)
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """It slipped so once."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """None: how a delay grows shows once the delay is known."""
         return []

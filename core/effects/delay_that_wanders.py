@@ -41,10 +41,6 @@ class DelayThatWanders(TimeDelay):
         late = np.interp(scene.elapsed, _find_spacing(scene) * np.arange(len(theta)), np.cumsum(theta))
         return delay_each(w, late / scene.period)
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """It wandered so once."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """None: how a delay changes shows once it is known."""
         return []

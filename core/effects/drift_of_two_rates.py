@@ -11,7 +11,6 @@ from core.effects.effect import Parameter
 from core.effects.scene import Scene
 from core.effects.sensor_drift import SensorDrift, settling
 from core.effects.vectors import add_course
-from core.words.message import Message
 
 RATES = ((0.02, 0.3), (0.05, 0.6), (0.005, 0.1))
 """Pairs of settling rates to start from, 1/s."""
@@ -32,10 +31,6 @@ class DriftOfTwoRates(SensorDrift):
         """`w` plus both drifts."""
         one, second = theta[:-7], theta[-7:]
         return np.asarray(add_course(super().wrench(scene, w, one), settling(scene.elapsed, second[6]), second[:6]))
-
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Twins keep one rate."""
-        return Message.of("effect-shape-of-run")
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Amplitudes by the signs of the residual's change, as for one drift, with some pairs of rates."""

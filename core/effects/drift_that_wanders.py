@@ -12,7 +12,6 @@ from core.effects.effect import Parameter
 from core.effects.scene import Scene
 from core.effects.sensor_drift import SensorDrift
 from core.payload.channels import CHANNELS, UNITS
-from core.words.message import Message
 
 KNOTS = 40
 KNOT_S = 1.0
@@ -58,10 +57,6 @@ class DriftThatWanders(SensorDrift):
         """`w` plus drift and walk."""
         levels = np.vstack((np.zeros(6), np.cumsum(theta[-CHANGES:].reshape(-1, 6), axis=0)))
         return np.asarray(_add_walk(super().wrench(scene, w, theta[:-CHANGES]), scene.elapsed / find_spacing(scene), levels))
-
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """It wandered so once."""
-        return Message.of("effect-shape-of-run")
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Without a walk; nothing where the residual does not wander while nothing moves."""

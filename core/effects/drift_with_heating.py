@@ -16,7 +16,6 @@ from core.effects.scene import Scene
 from core.effects.sensor_drift import SensorDrift
 from core.effects.vectors import add_course
 from core.effects.window_search import weights
-from core.words.message import Message
 
 SHORTEST_S, SHORTEST, LONGEST, CYCLES = 8.0, 0.1, 1.5, 20
 """Cycles that are looked at: from s and such a share of the run up to so many lengths of it,"""
@@ -52,10 +51,6 @@ class DriftWithHeating(SensorDrift):
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus the offset by then."""
         return np.asarray(add_course(w, _warm(scene.elapsed, *theta[6:]), theta[:6]))
-
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """It was switched so once."""
-        return Message.of("effect-shape-of-run")
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The courses that explain most of the residual; none where none explains much."""

@@ -112,9 +112,10 @@ class Effect(ABC):
         return self.explain_lack(scene)
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Why parameters found in this run have no meaning in another, or the effect cannot be simulated sample by sample; else None."""
+        """Why parameters found in this run have no meaning in another, or the effect cannot be simulated sample by sample; else None. A
+        richer shape is of its run: a twin keeps the plain one."""
         del scene
-        return None
+        return Message.of("effect-shape-of-run") if self.wider_shape else None
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Parameters from which a fit may start, most promising first; a few where the likelihood has several hills (times, frequencies).

@@ -40,10 +40,6 @@ class GainThatJumps(SensorGain):
         since = np.clip((scene.elapsed - theta[6]) / scene.period, 0.0, 1.0)
         return np.asarray(w * (1.0 + np.outer(since, theta[:6])))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Twins keep a gain that stays."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The times from which on gains explain most, with the signs by which the residual goes with the load then."""
         columns = scene.nominal[:, :, None] * np.eye(6)

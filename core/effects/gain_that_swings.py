@@ -52,10 +52,6 @@ class GainThatSwings(SensorGain):
         course = 1.0 + swing * np.sin(2.0 * np.pi * scene.elapsed / cycle + phase)
         return np.asarray(w + course[:, None] * (theta[:6] * w + theta[9:]))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Twins keep a gain that stays."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The cycles that explain most of the residual, about a mean of either sign."""
         columns = np.stack((scene.nominal, np.ones_like(scene.nominal)), axis=2)

@@ -40,10 +40,6 @@ class GainThatWarmsUp(SensorGain):
         """`w` plus what gains and offsets have changed by then."""
         return np.asarray(w + settling(scene.elapsed, theta[6])[:, None] * (theta[:6] * w + theta[7:]))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Twins keep a gain that stays."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Gains with the signs by which the residual goes with the load more and more, at some rates."""
         late = scene.elapsed - scene.elapsed.mean()

@@ -49,10 +49,6 @@ class HysteresisThatSnaps(SensorHysteresis):
         """`w - s (w - a)` in each channel that holds anything back."""
         return np.asarray(w - theta[:6] * (w - _stick(np.ascontiguousarray(w), np.exp(theta[6:12]) * full_scale(scene, w), theta[12])))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Where it sticks depends on what was before."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """For each rest, in each channel the sawtooth that looks most like the residual; none where no channel has one."""
         found = (_find_sawteeth(scene, residual, rest) for rest in RESTS)

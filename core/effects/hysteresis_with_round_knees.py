@@ -10,7 +10,6 @@ from core.effects.channels import full_scale
 from core.effects.effect import Parameter
 from core.effects.scene import Scene
 from core.effects.sensor_hysteresis import SPREAD, SensorHysteresis
-from core.words.message import Message
 
 BEGINNINGS = ((0.0, 0.0), (1.0, 0.5))
 """Where the loops begin, as a share of the first load, and how round they are, from which fits start."""
@@ -52,11 +51,6 @@ class HysteresisWithRoundKnees(SensorHysteresis):
             past.rows = np.concatenate((np.tile(theta[13] * w[0], (len(SPREAD), 1)), np.zeros_like(radius), theta[13] * w[:1]))
         W, past.rows = _bend(np.ascontiguousarray(w), theta[:6] * full, radius, theta[14], past.rows)
         return np.asarray(W)
-
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Where the loops began is this run's."""
-        del scene
-        return Message.of("effect-shape-of-run")
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Loops without height as before, sharp ones that began unloaded and round ones; none where the reading goes on while it rests."""

@@ -45,10 +45,6 @@ class LagOfEachJoint(KinematicLag):
         """A reason where there are no joints, or the sensor stays still."""
         return self.explain_lack(scene) or super().explain_absence(scene)
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Its remainder is that of these joints' motion."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """None: it shows where one lag for all leaves something."""
         return []

@@ -7,8 +7,8 @@ import numpy as np
 from core.array import Array
 from core.effects.effect import Parameter
 from core.effects.filters import derivative, low_pass
-from core.effects.joint_error import true_motion, without_joints
-from core.effects.kinematic_lag import KinematicLag
+from core.effects.joint_error import true_motion
+from core.effects.lag_of_each_joint import LagOfEachJoint
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 from core.words.message import Message
@@ -18,11 +18,10 @@ STARTS = ((1.5, 1.0), (3.0, 0.3))
 SMOOTHING_S = 0.05
 
 
-class LagThatOpens(KinematicLag):
+class LagThatOpens(LagOfEachJoint):
     """True joints are `q + tau_j dq_j`, `tau_j = tau / (1 + v_j / v)`, with v_j the smoothed speed of the joint: the corner of the filter
     rises with it."""
 
-    wider_shape = True
     only_adds = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -41,18 +40,6 @@ class LagThatOpens(KinematicLag):
         ahead = theta[0] / (1.0 + speed / theta[1]) * scene.dq
         rate = derivative(ahead, scene.period, scene.past("ahead"))
         return w + wrench_change(scene, true_motion(scene, ahead, derivative(rate, scene.period, scene.past("rate ahead")), rate))
-
-    def explain_lack(self, scene: Scene) -> Message | None:
-        """A reason where the recording has no joint positions."""
-        return without_joints(scene)
-
-    def explain_absence(self, scene: Scene) -> Message | None:
-        """A reason where there are no joints, or the sensor stays still."""
-        return self.explain_lack(scene) or super().explain_absence(scene)
-
-    def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """None: it shows where one lag for all speeds leaves something."""
-        return []
 
     def starts_beside(self, scene: Scene, residual: Array, plain: Array) -> list[Array]:
         """A longer lag at rest, halved soon or late."""

@@ -54,10 +54,6 @@ class LooseBetweenStops(PayloadLoose):
         moved = -np.tanh(play((b @ d / size)[:, None], theta[4:], scene.past("friction")) / theta[3]) * d
         return add_moved(scene, w, np.asarray(moved))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Twins keep the one that swings."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Along which axis, held by which loads, it looks most like the residual."""
         thetas = (np.array([*(START_KG_M * axis), *loads]) for axis, *loads in product(AXES, LOADS, FRICTIONS))

@@ -57,10 +57,6 @@ class LooseFluid(PayloadLoose):
         moved = low_pass(-(b / length[:, None]) @ S, float(theta[0]), scene.period, scene.past("settling"))
         return add_moved(scene, w, moved)
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Twins keep the one that swings."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The cans and settling times that look most like the residual."""
         cans = [part * np.outer(axis, axis) + (1.0 - part) * np.eye(3) for part in SLENDERNESS for axis in AXES]

@@ -72,10 +72,6 @@ class LooseOnHinge(PayloadLoose):
         force, torque = _compute_load(scene.motion, r, scene.period, theta)
         return np.asarray(add_force(w, force, r, torque))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Twins keep the one that swings."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The hinges whose part looks most like the residual."""
         thetas = (

@@ -51,10 +51,6 @@ class LooseWithKnocks(PayloadLoose):
         f, tau = load_of_moment(m.omega, m.alpha, b, s, ds, dds)
         return np.asarray(add_force(w, f, r, tau))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Twins keep the one that swings."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Along each axis, free and held by a spring."""
         free = [START_STOP_M, START_DRAG_PER_S, 0.0, *[0.0] * 3]

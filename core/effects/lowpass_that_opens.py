@@ -33,10 +33,6 @@ class LowpassThatOpens(SensorLowpass):
         opening = theta[1:] / find_load_at_rest(scene.phi)
         return _follow(np.ascontiguousarray(w), float(theta[0]), opening, scene.period, scene.past("opening pole"))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Its loads are those of this payload."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """None: it shows where a plain filter leaves something."""
         return []

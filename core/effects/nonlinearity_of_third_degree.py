@@ -37,10 +37,6 @@ class NonlinearityOfThirdDegree(SensorNonlinearity):
         x = w / find_load_at_rest(scene.phi)
         return np.asarray(w * (1.0 + theta[12:] + theta[:6] * x + theta[6:12] * x * x))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Its loads are those of this payload."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """All zero."""
         return [np.zeros(18)]  # linear in its parameters: one step finds them

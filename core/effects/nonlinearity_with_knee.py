@@ -37,10 +37,6 @@ class NonlinearityWithKnee(SensorNonlinearity):
         knee = theta[6] * find_load_at_rest(scene.phi)
         return np.asarray(w * (1.0 + theta[7:]) + theta[:6] * (w - np.clip(w, -knee, knee)))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Its loads are those of this payload."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Knees at some loads, with the signs by which the residual goes with what is beyond."""
         load = find_load_at_rest(scene.phi)

@@ -34,10 +34,6 @@ class OffsetStepThatRecovers(SensorOffsetStep):
         since = np.maximum(scene.elapsed - theta[6], 0.0)
         return np.asarray(w + (kept + (1.0 - kept) * np.exp(-since / recovery))[:, None] * jump)
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Twins keep a jump that stays."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The most probable jump, larger at first, with quick and slow recovery."""
         return self.starts_beside(scene, residual, super().starts(scene, residual)[0][:7])

@@ -40,10 +40,6 @@ class OffsetThatClicks(SensorOffsetStep):
             w = super().wrench(scene, w, np.append(share * first[:6], at))
         return w
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """They happened once, at their times."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The jumps that together explain most of the residual, all along the one that explains most by itself; the largest first."""
         one = find_jumps(scene, residual, np.eye(6), 1)

@@ -59,10 +59,6 @@ class RippleThatVaries(GearRipple):
                 acceleration += seen[1]
         return w + wrench_change(scene, true_motion(scene, error, acceleration))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """It varies around the turns that the joints made in this run."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """None: it shows where a sine leaves something."""
         return []

@@ -38,10 +38,6 @@ class SaturationOfBridge(SensorSaturation):
         beyond = np.maximum(0.0, (w / load) @ theta[:6] - theta[6])
         return np.asarray(w - np.outer(beyond, theta[7:] * load))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Where a bridge ends depends on the offset, which each run has anew."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The direction in which large residuals lie, and the plane in the load by which they grow; none where they lie in several."""
         if scene.noise is None:

@@ -42,10 +42,6 @@ class SaturationWithOffset(SensorSaturation):
         """`clip(w, low, high)`."""
         return np.clip(w, theta[6:], theta[:6])
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """Where the load is clipped depends on the offset, which each run has anew."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The limits whose missing load looks most like the residual; none where no load is missing."""
         seen = find_limits(scene, residual, lambda x: float(x.max()) - CUTS * float(np.ptp(x)), SIGN)

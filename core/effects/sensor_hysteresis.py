@@ -54,7 +54,7 @@ class SensorHysteresis(Effect):
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """A reason where the sensor's range is not known: shares of it then hold for this run only."""
-        return without_range(scene)
+        return super().explain_tie_to_run(scene) or without_range(scene)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Loops without height that turn over 0.1, 0.3, 1 and 3 % of full scale."""

@@ -39,7 +39,7 @@ class SensorNonlinearity(Effect):
 
     def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """A reason where the sensor's range is not known: shares of it then hold for this run only."""
-        return without_range(scene)
+        return super().explain_tie_to_run(scene) or without_range(scene)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """All zero."""

@@ -11,7 +11,6 @@ from core.effects.jump_search import find_jumps
 from core.effects.scene import Scene
 from core.effects.sensor_offset_step import SensorOffsetStep
 from core.payload.channels import CHANNELS
-from core.words.message import Message
 
 JUMPS = 4
 
@@ -37,10 +36,6 @@ class SeveralOffsetSteps(SensorOffsetStep):
         for one in theta.reshape(JUMPS, 7):
             w = super().wrench(scene, w, one)
         return w
-
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """They happened once, at their times."""
-        return Message.of("effect-shape-of-run")
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The jumps that together explain most of the residual, with the signs that they have there."""

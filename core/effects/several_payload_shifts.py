@@ -40,10 +40,6 @@ class SeveralPayloadShifts(PayloadShift):
                 w = super().wrench(scene, w, np.array([at_s, *moment, 0.0]))
         return w
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """They happened once, at their times."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The three times, and the two, at which jumps of the first moment explain most of the residual; none where two explain little."""
         columns = regressor(scene.motion)[:, :, 1:4]

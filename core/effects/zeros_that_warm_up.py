@@ -42,10 +42,6 @@ class ZerosThatWarmUp(JointOffset):
         zero, growth = theta[:-1].reshape(2, -1)
         return w + wrench_change(scene, true_motion(scene, zero + settling(scene.elapsed, theta[-1])[:, None] * growth))
 
-    def explain_tie_to_run(self, scene: Scene) -> Message | None:
-        """It warmed up so once."""
-        return Message.of("effect-shape-of-run")
-
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """None: it shows where zeros that stay leave something."""
         return []

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.gap.effect_fit import EffectFit
 from core.gap.tie import Tie, find_ties
@@ -30,10 +31,11 @@ class Attribution:
     unexplained: float
 
 
-def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit]) -> Attribution:
-    """Weighs the fits against each other and against the nominal twin."""
+def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit], kept: NDArray[np.bool_] | None = None) -> Attribution:
+    """Weighs the fits against each other and against the nominal twin; by the rows kept (K,) alone, where not all are to count."""
     best = min(fits, key=lambda fit: fit.chi_square, default=nominal)
-    none, unknown, shares = probabilities(nominal, fits)
+    weighed = [fit if kept is None else replace(fit, held_out=fit.held_out[:, kept]) for fit in (nominal, *fits)]
+    none, unknown, shares = probabilities(weighed[0], weighed[1:])
     explained = tuple(sorted(zip(fits, shares, strict=True), key=lambda pair: -pair[1]))
     unit = max(1.0, float(np.sqrt(best.held_out.mean())))
     return Attribution(none, unknown, explained, find_ties(windows, [fit for fit, _ in explained], unit), find_left_share(nominal, best))

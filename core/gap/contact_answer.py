@@ -19,10 +19,11 @@ from core.gap.attribution import Attribution, probabilities
 from core.gap.closure import closure_of, gap_of
 from core.gap.contacts import Contact, Contacts, find_contacts, find_free, keep_rows
 from core.gap.effect_fit import EffectFit
-from core.gap.evidence import EXPLAINED, Evidence, Singles, fit_again, fit_singly, join
+from core.gap.evidence import EXPLAINED, Evidence, join
 from core.gap.fit_all import FitAll
 from core.gap.materiality import payload_shift
 from core.gap.problem import Problem
+from core.gap.singles import Singles, fit_again, fit_singly
 from core.gap.symptoms import find_leading
 from core.gap.weighing import find_doubts, find_left_share, read_figures
 from core.gap.windows import Windows

@@ -15,12 +15,13 @@ from core.gap.answer import Diagnosis, Origin
 from core.gap.answering import answer, not_enough
 from core.gap.basis import TooLittleError, basis_of
 from core.gap.contact_answer import answer_touched, find_touched, with_contacts
-from core.gap.evidence import Evidence, describe_limits, gather
+from core.gap.evidence import Evidence, gather
 from core.gap.fine_windows import find_what_rings
 from core.gap.fit_all import FitAll, on_all_cores
 from core.gap.joint_answer import answer_joints
 from core.gap.moments import spare_moments
 from core.gap.proposal import proposals
+from core.gap.singles import describe_limits
 from core.gap.sound_gears import describe_gears
 from core.gap.windows import Windows
 from core.recording.folder import recording_sha256

@@ -9,8 +9,8 @@ from scipy.sparse import csr_array
 
 from core.gap.closure import gap_of
 from core.gap.effect_fit import EffectFit, fit_nominal
-from core.gap.evidence import fit_again
 from core.gap.limits import GAP
+from core.gap.singles import fit_again
 from core.gap.weighing import find_left_share
 from core.gap.windows import Rows, Windows, window_rows
 

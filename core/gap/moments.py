@@ -7,10 +7,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from core.gap.attribution import Attribution, probabilities
+from core.gap.attribution import attribute
 from core.gap.effect_fit import EffectFit
 from core.gap.evidence import Evidence
-from core.gap.tie import find_ties
 from core.words.message import Message
 
 FEW = 0.15
@@ -30,11 +29,7 @@ def spare_moments(evidence: Evidence) -> Evidence | None:
     moments = find_moments(left, evidence.windows.group)
     if left[moments].sum() < MOST * left.sum() or gap[~moments].sum() < MOST * gap.sum():
         return None
-    outside = [replace(fit, held_out=fit.held_out[:, ~moments]) for fit in fits]
-    none, unknown, shares = probabilities(replace(nominal, held_out=nominal.held_out[:, ~moments]), outside)
-    explained = tuple(sorted(zip(fits, shares, strict=True), key=lambda pair: -pair[1]))
-    ties = find_ties(evidence.windows, [fit for fit, _ in explained], max(1.0, float(np.sqrt(best.held_out.mean()))))
-    spared = replace(evidence, attribution=Attribution(none, unknown, explained, ties, evidence.attribution.unexplained))
+    spared = replace(evidence, attribution=attribute(evidence.windows, nominal, fits, ~moments))
     if spared.verdict == "unknown":
         return None
     at_s = float(evidence.windows.centres[np.argmax(left)])

@@ -251,15 +251,17 @@ class Windows:
         lasts_s = float(np.ptp(t))
         spans = [(t[part.start], t[part.stop - 1]) for part in self.basis.segments]
         pieces = [int(np.ceil((b - a) / (PIECE_SHARE * lasts_s))) if b - a > LONG_SHARE * lasts_s else 1 for a, b in spans]
-        edges = np.concatenate([np.linspace(a, b, count, endpoint=False) for (a, b), count in zip(spans, pieces, strict=True)])
-        return np.maximum(np.searchsorted(edges, self.centres, side="right") - 1, 0)
+        return self._find_last(np.concatenate([np.linspace(a, b, n, endpoint=False) for (a, b), n in zip(spans, pieces, strict=True)]))
+
+    def _find_last(self, begins: Array) -> NDArray[np.int64]:
+        """(K,), which of some stretches that begin behind each other, s, each window lies in."""
+        return np.maximum(np.searchsorted(begins, self.centres, side="right") - 1, 0)
 
     @cached_property
     def phase(self) -> NDArray[np.str_]:
         """(K,), label of each window."""
         names = np.array([part.phase for part in self.basis.segments])
-        edges = self.basis.poses.t[[part.start for part in self.basis.segments]]
-        return names[np.maximum(np.searchsorted(edges, self.centres, side="right") - 1, 0)]
+        return names[self._find_last(self.basis.poses.t[[part.start for part in self.basis.segments]])]
 
     @cached_property
     def _jittered(self) -> list[csr_array]:

@@ -223,3 +223,8 @@ def test_an_effect_is_found_by_its_name_without_loading_the_others() -> None:
 def test_what_is_no_effect_on_the_wrench_is_not_found(name: str) -> None:
     with pytest.raises(KeyError):
         find_effect(name)
+
+
+@pytest.mark.parametrize("effect", wider_shapes(), ids=lambda effect: type(effect).__name__)
+def test_a_richer_shape_is_of_its_run_so_that_no_twin_takes_it_for_the_plain_one(effect: Effect, run: Scene) -> None:
+    assert effect.explain_tie_to_run(run) is not None

@@ -15,8 +15,9 @@ from core.gap.contact_answer import answer_touched, find_touched
 from core.gap.contacts import MARGIN_S, find_contacts, find_stretches
 from core.gap.diagnosis import diagnose
 from core.gap.effect_fit import fit_nominal
-from core.gap.evidence import Evidence, Singles, gather, join
+from core.gap.evidence import Evidence, gather, join
 from core.gap.fit_all import FitAll, on_all_cores, one_by_one
+from core.gap.singles import Singles
 from core.gap.windows import Windows
 from core.recording.recording import Recording
 from tests.synthetic import Imperfections, Run, payload, record, run_of

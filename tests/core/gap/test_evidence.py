@@ -26,8 +26,9 @@ from core.effects.scene import Scene
 from core.effects.sensor_gain import SensorGain
 from core.effects.zeros_that_warm_up import ZerosThatWarmUp
 from core.gap.basis import basis_of
-from core.gap.evidence import EXPLAINED, ONE_IS_CLEAR, gather
+from core.gap.evidence import EXPLAINED, gather
 from core.gap.fit_all import Found, Job, Task, one_by_one
+from core.gap.singles import ONE_IS_CLEAR
 from core.gap.sound_gears import ONE_IS_ENOUGH
 from core.gap.weighing import find_left_share
 from core.gap.windows import Term, Windows

@@ -1,0 +1,166 @@
+"""Each effect fitted to a recording by itself, in the shape that is most probable."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from core.effects.composition import Term
+from core.effects.effect import Effect
+from core.effects.library import wider_shapes
+from core.effects.scene import Scene
+from core.estimation.gears import SoundGears
+from core.gap.attribution import choose_variants
+from core.gap.effect_fit import EffectFit, fit_nominal
+from core.gap.fit_all import FitAll, Task, on_all_cores
+from core.gap.most_rows import DRAWN, PARTS, fit_most
+from core.gap.partners import terms_of
+from core.gap.sound_gears import find_sound_gears, hold_gears
+from core.gap.weighing import find_left_share
+from core.gap.windows import PHI, Windows
+from core.words.message import Message
+
+BESIDE = 6
+"""Single effects beside which their richer shapes are sought: of a clock that runs off a constant delay explains little."""
+ONE_IS_CLEAR = 3e-4
+"""Share of the excess left over by one effect below which neither richer shapes are sought nor any started from the rows that most agree
+on: what spoils the first estimate leaves more to the others."""
+HID_MOST = 0.5
+"""Share of the excess below which what sound gears leave is looked at anew: starts and shapes were those that the swinging showed."""
+
+
+@dataclass(frozen=True)
+class Singles:
+    """Each effect fitted by itself, before any are joined.
+
+    Args:
+        windows: of the recording, with what the twin always has on, and gears that turned out to swing.
+        nominal, fits: the twin as it is, and with each effect.
+        shown, wider, last: the effects that the recording can show, their richer shapes, and those that are sought last.
+        stated: whether the twin says already how its gears swing.
+        limits: which effects the recording cannot show, and why.
+    """
+
+    windows: Windows
+    nominal: EffectFit
+    fits: tuple[EffectFit, ...]
+    shown: tuple[Effect, ...]
+    wider: tuple[Effect, ...]
+    last: tuple[Effect, ...]
+    stated: bool
+    limits: tuple[Message, ...]
+
+
+def fit_singly(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all_cores) -> Singles:
+    """All effects by themselves, in the shapes that are most probable."""
+    nominal = fit_nominal(windows)
+    scene = windows.basis.scene.with_phi(nominal.phi)
+    absences = {effect: _explain_absence(effect, scene, at_rest=windows.basis.rows.at_rest) for effect in effects}
+    shown = [effect for effect, reason in absences.items() if reason is None]
+    in_twin = {term.effect.id for term in windows.held}  # in their plain shape
+    richer = [effect for effect in wider_shapes() if effect.id in {each.id for each in shown} - in_twin]
+    wider, last = [effect for effect in richer if not effect.last_resort], [effect for effect in richer if effect.last_resort]
+    singles = _fit_singles(windows, nominal, shown, wider, fit_all)
+    stated = SoundGears.id in in_twin
+    gears = None if stated else find_sound_gears(windows, nominal, singles, fit_all)
+    if gears is not None:
+        swinging, (windows, nominal, singles) = nominal, hold_again(windows, gears, singles, fit_all)
+        if find_left_share(swinging, nominal) < HID_MOST:
+            singles = choose_variants(nominal, [*singles, *_fit_singles(windows, nominal, shown, wider, fit_all)])
+    limits = describe_limits(absences)
+    return Singles(windows, nominal, tuple(singles), tuple(shown), tuple(wider), tuple(last), stated, limits)
+
+
+def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wider: list[Effect], fit_all: FitAll) -> list[EffectFit]:
+    """Each effect by itself, in the shape that is most probable."""
+    scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
+    known = {term.effect.id: [term.theta] for term in windows.held}
+    plain = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in effects]
+    singles = choose_variants(nominal, _fit_shapes(windows, nominal, [task for task in plain if task.thetas], known, fit_all))
+    if _one_is_clear(nominal, singles):
+        return singles
+    richer = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider]
+    singles = choose_variants(nominal, [*singles, *_fit_shapes(windows, nominal, [task for task in richer if task.thetas], known, fit_all)])
+    beside = [task for task in start_beside(windows, nominal, singles, wider) if task.thetas]
+    singles = choose_variants(nominal, [*singles, *fit_all(windows, beside)]) if beside else singles
+    if find_left_share(nominal, min(singles, key=lambda fit: fit.chi_square, default=nominal)) > ONE_IS_CLEAR:
+        singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, [*effects, *wider], fit_all)])
+    return singles
+
+
+def _fit_shapes(windows: Windows, nominal: EffectFit, tasks: list[Task], known: Container[str], fit_all: FitAll) -> list[EffectFit]:
+    """The tasks, each in its smaller shape, too, unless the twin has the effect already."""
+    scene = windows.basis.scene.with_phi(nominal.phi)
+    smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
+    return fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)])
+
+
+def _one_is_clear(nominal: EffectFit, fits: list[EffectFit]) -> bool:
+    """Whether one fit explains a gap so large that whatever else does would show it by more than chance."""
+    best = min(fits, key=lambda fit: fit.chi_square, default=nominal)
+    return find_left_share(nominal, best) < ONE_IS_CLEAR and ONE_IS_CLEAR * (nominal.chi_square - nominal.rows) > 1.0
+
+
+def start_beside(windows: Windows, nominal: EffectFit, fits: list[EffectFit], wider: list[Effect]) -> Iterator[Task]:
+    """Richer shapes that show only beside the plain one, or another, of the effects that explain most where none explains all."""
+    promising = sorted(fits, key=lambda fit: fit.chi_square)[:BESIDE]
+    if not promising or find_left_share(nominal, promising[0]) < ONE_IS_CLEAR:
+        return
+    for fit in promising:
+        scene, residual, terms = windows.basis.scene.with_phi(fit.phi), windows.on_grid(fit.residual), terms_of(windows, fit)
+        for k, (found, theta) in enumerate(terms):
+            before, behind = ([t for _, t in some] for some in (terms[:k], terms[k + 1 :]))
+            for effect in wider:
+                if effect.id == found.id and _is_beside(effect, found):
+                    effects = tuple(effect if each is found else each for each in fit.effects)
+                    starts = effect.starts_beside(scene, residual, theta)
+                    yield Task(effects, fit, [np.concatenate([*before, start, *behind]) for start in starts])
+
+
+def _is_beside(effect: Effect, found: Effect) -> bool:
+    """Whether it is the shape that the richer one starts from."""
+    return not found.wider_shape if effect.beside is None else isinstance(found, effect.beside)
+
+
+def hold_again(windows: Windows, gears: Term, singles: list[EffectFit], fit_all: FitAll) -> tuple[Windows, EffectFit, list[EffectFit]]:
+    """Everything fitted so far once more, with gears that are always on."""
+    windows = hold_gears(windows, gears)
+    nominal = fit_nominal(windows)
+    return windows, nominal, fit_all(windows, [fit_again(fit, nominal) for fit in singles])
+
+
+def fit_again(fit: EffectFit, nominal: EffectFit) -> Task:
+    """The same shape of an effect, from where it was."""
+    return Task(fit.effects, nominal, [fit.theta], len(fit.theta) - fit.kept_absent if fit.kept_absent else None)
+
+
+def _fit_from_most(windows: Windows, nominal: EffectFit, effects: Sequence[Effect], fit_all: FitAll) -> list[EffectFit]:
+    """Effects that spoil the first estimate, started from the payload that most rows agree on."""
+    wanted = [effect for effect in effects if effect.starts_from_most]
+    if not wanted or len(windows) < PARTS * DRAWN:
+        return []
+    beta = fit_most(windows, windows.target - nominal.change)
+    scene = windows.basis.scene.with_phi(beta[PHI])
+    residual = windows.on_grid(windows.target - nominal.change - windows.X @ beta)
+    start = replace(nominal, beta=beta)
+    tasks = [Task((effect,), start, effect.starts(scene, residual)) for effect in wanted]
+    return fit_all(windows, [task for task in tasks if task.thetas])
+
+
+def _explain_absence(effect: Effect, scene: Scene, *, at_rest: bool) -> Message | None:
+    if effect.needs_motion and scene.apart:
+        return Message.of("effect-poses-apart")
+    if effect.needs_motion and not scene.moves:
+        return Message.of("effect-nothing-moves")
+    if effect.needs_motion and at_rest:
+        return Message.of("effect-rest-alone")
+    return effect.explain_absence(scene)
+
+
+def describe_limits(reasons: Mapping[Effect, Message | None]) -> tuple[Message, ...]:
+    """Which effects cannot be seen, with the reasons."""
+    return tuple(
+        Message.of("gap-not-shown", effect=effect.id, title=effect.title, reason=reason) for effect, reason in reasons.items() if reason
+    )
