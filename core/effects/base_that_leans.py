@@ -38,7 +38,7 @@ class BaseThatLeans(BaseTilt):
         """A reason where it is not known what weighs on the base, and where."""
         if scene.position is None:
             return Message.of("effect-no-position")
-        return Message.of("effect-no-masses") if scene.link_moment is None else None
+        return Message.of("effect-no-masses") if scene.links is None else None
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Level, and leaning as on rubber; nothing where the masses of the arm or its place are not known."""
@@ -54,7 +54,7 @@ class BaseThatLeans(BaseTilt):
 
 def find_moment(scene: Scene) -> Array:
     """(N, 3), N m, of the weights of arm and payload about the base's origin, base axes."""
-    if scene.position is None or scene.link_moment is None:
+    if scene.position is None or scene.links is None:
         raise ValueError("the moment on the base needs positions and the arm's masses (see Effect.explain_lack)")
     carried = scene.phi[0] * scene.position + scene.rotation @ scene.phi[1:4]
-    return np.asarray(np.cross(scene.link_moment + carried, scene.gravity))
+    return np.asarray(np.cross(scene.links.loads.moment + carried, scene.gravity))

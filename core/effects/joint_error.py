@@ -120,7 +120,7 @@ def rigid_load(scene: Scene) -> Array:
 
     Where the masses of the links are not known: what was measured, or what the payload alone asks, `J^T w`.
     """
-    if scene.link_torque is None and scene.torque is not None:
+    if scene.links is None and scene.torque is not None:
         return scene.torque
     return scene.joint_load
 

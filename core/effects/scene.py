@@ -11,14 +11,12 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.effects.joint_twists import JointTwists
+from core.effects.links import Links
 from core.effects.memory import Memory, Past
 from core.payload.inertia import Motion, spatial_inertia
 from core.payload.rigid_wrench import wrench
 
-PER_ROW = (
-    *("t", "phase", "motion", "rotation", "position", "q", "dq", "jacobian", "torque"),
-    *("link_inertia", "link_torque", "link_moment", "temperature"),
-)
+PER_ROW = ("t", "phase", "motion", "rotation", "position", "q", "dq", "jacobian", "torque", "links", "temperature")
 
 LEVEL_RAD, STILL_RAD, STILL_M = 0.02, 0.005, 0.002
 
@@ -38,9 +36,7 @@ class Scene:
         q, dq: (N, n), joints; None for a recording of poses.
         jacobian: (N, 6, n), linear over angular velocity of the sensor frame in sensor axes; None likewise.
         torque: (N, n), measured joint torques, N m; None where there are none.
-        link_inertia: (N, n, n), of the arm without payload in joint coordinates, kg m2; None where its masses are not known.
-        link_torque: (N, n), that the arm without payload asks of its joints, N m; None likewise.
-        link_moment: (N, 3), first moment of the arm's masses about the base's origin, base frame, kg m; None likewise.
+        links: of the arm without payload; None where its masses are not known.
         temperature: (N,), degC, None where not recorded.
         range, resolution: (6,), of the sensor, None where unknown.
         noise: (6,), standard deviation of the wrench's noise, N and N m; None where unknown.
@@ -63,9 +59,7 @@ class Scene:
     dq: Array | None = None
     jacobian: Array | None = None
     torque: Array | None = None
-    link_inertia: Array | None = None
-    link_torque: Array | None = None
-    link_moment: Array | None = None
+    links: Links | None = None
     temperature: Array | None = None
     range: Array | None = None
     resolution: Array | None = None
@@ -123,7 +117,7 @@ class Scene:
         size, axes = np.linalg.eigh(spatial_inertia(self.phi))
         body = (axes * np.maximum(size, 0.0)) @ axes.T  # a trial payload of a fit may be no body, which would swing without end
         payload = self.jacobian.transpose(0, 2, 1) @ (body @ self.jacobian)
-        return np.asarray(payload if self.link_inertia is None else payload + self.link_inertia)
+        return np.asarray(payload if self.links is None else payload + self.links.loads.inertia)
 
     @cached_property
     def joint_load(self) -> Array:
@@ -131,7 +125,7 @@ class Scene:
         if self.jacobian is None:
             raise ValueError("joint torques need a scene with joints (see Effect.explain_lack)")
         payload = np.einsum("ni,nij->nj", self.nominal, self.jacobian)
-        return np.asarray(payload if self.link_torque is None else payload + self.link_torque)
+        return np.asarray(payload if self.links is None else payload + self.links.loads.torque)
 
     def with_phi(self, phi: Array) -> Scene:
         """The same run with another payload."""

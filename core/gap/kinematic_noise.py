@@ -38,8 +38,8 @@ def draw_noise(poses: Poses, second: csr_array, jittered: list[csr_array], t: Ar
     """
     rng = np.random.default_rng(0)
     values, vectors = np.linalg.eigh(poses.noise)
-    white = rng.standard_normal((DRAWS, len(poses.t), 6))
-    seen = second @ white.transpose(1, 0, 2).reshape(len(poses.t), -1)
+    signs = rng.integers(2, size=(len(poses.t), DRAWS * 6), dtype=np.int8)
+    seen = second @ (2.0 * signs - 1.0)
     drawn = np.ascontiguousarray(seen.reshape(-1, DRAWS, 6).transpose(1, 0, 2) @ (vectors * np.sqrt(np.maximum(values, 0.0))).T)
     if jittered:
         early = rng.standard_normal((len(poses.t), DRAWS))

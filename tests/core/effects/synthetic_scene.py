@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from core.effects.links import LinkLoads, Links
 from core.effects.scene import Scene
 from core.payload.inertia import InertialParameters, Motion
 
@@ -49,13 +50,13 @@ def scene(*, rate: float = 100.0, seconds: float = 16.0, seed: int = 1) -> Scene
         q=q,
         dq=dq,
         jacobian=jacobian,
-        link_moment=8.0 * (0.5 * position + [0.0, 0.0, 0.2]),
         temperature=22.0 + 3.0 * (1 - np.exp(-t / 8.0)),
         range=RANGE,
         resolution=RESOLUTION,
     )
-    arm = np.einsum("nij,ni->nj", jacobian, run.nominal) + 20.0 * np.sin(q)
-    return replace(run, torque=arm)
+    arm = 20.0 * np.sin(q)
+    links = LinkLoads(np.zeros((len(t), 6, 6)), arm, 8.0 * (0.5 * position + [0.0, 0.0, 0.2]))
+    return replace(run, torque=np.einsum("nij,ni->nj", jacobian, run.nominal) + arm, links=Links(lambda: links))
 
 
 def forward(q: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

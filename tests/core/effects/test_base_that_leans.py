@@ -66,7 +66,7 @@ def test_nobody_can_tell_without_the_masses_of_the_arm() -> None:
     scene = basis_of(leaning()).scene
     residual = np.zeros((len(scene), 6))
     assert BaseThatLeans().starts(scene, residual)
-    assert BaseThatLeans().starts(replace(scene, link_moment=None), residual) == []
+    assert BaseThatLeans().starts(replace(scene, links=None), residual) == []
 
 
 def test_a_base_that_leans_is_named_with_its_compliance_and_tilt() -> None:
