@@ -5,6 +5,29 @@ from __future__ import annotations
 from pydantic import BaseModel, ConfigDict
 
 
+class Weighed(BaseModel):
+    """What a fit was weighed by.
+
+    Attributes:
+        name: identifiers joined by plus signs; `none` for the nominal twin.
+        effects, free, rows: how many effects, free parameters, and equations.
+        chi_square: on unseen motions.
+    """
+
+    model_config = ConfigDict(frozen=True)
+
+    name: str
+    effects: int
+    free: int
+    rows: int
+    chi_square: float
+
+    @property
+    def further(self) -> int:
+        """Effects beyond the first."""
+        return max(0, self.effects - 1)
+
+
 class Answer(BaseModel):
     """A diagnosis in short.
 
@@ -18,6 +41,7 @@ class Answer(BaseModel):
         also: what was read off beside the wrench, and whether it is material.
         minor: what was detected and is not material.
         tied: what could not be told apart.
+        weighed: the nominal twin, then each fit; none where nothing could be fitted.
         cpu: s.
     """
 
@@ -34,6 +58,7 @@ class Answer(BaseModel):
     also: tuple[tuple[str, bool], ...]
     minor: tuple[str, ...]
     tied: tuple[tuple[str, ...], ...]
+    weighed: tuple[Weighed, ...] = ()
     cpu: float
 
     @property

@@ -7,8 +7,9 @@ from pathlib import Path
 
 from threadpoolctl import threadpool_limits
 
-from bench.stranger.answer import Answer
+from bench.stranger.answer import Answer, Weighed
 from core.gap.diagnosis import examine
+from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import one_by_one
 from core.recording.folder import read_recording
 
@@ -20,7 +21,7 @@ def diagnose(folder: Path) -> Answer:
     """On one core."""
     began = time.process_time()
     with threadpool_limits(1):
-        found, _ = examine(read_recording(folder), fit_all=one_by_one)
+        found, evidence = examine(read_recording(folder), fit_all=one_by_one)
     return Answer(
         case=folder.name,
         verdict=found.verdict,
@@ -33,5 +34,10 @@ def diagnose(folder: Path) -> Answer:
         also=tuple((each.id, each.material) for each in found.also),
         minor=tuple(each.id for each in found.minor),
         tied=tuple(each.ids for each in found.indistinguishable),
+        weighed=() if evidence is None else tuple(map(_weigh, (evidence.nominal, *evidence.singles, *evidence.joined))),
         cpu=round(time.process_time() - began, 1),
     )
+
+
+def _weigh(fit: EffectFit) -> Weighed:
+    return Weighed(name=fit.name, effects=len(fit.effects), free=fit.free, rows=fit.held_out.size, chi_square=fit.chi_square)
