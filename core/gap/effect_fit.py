@@ -127,14 +127,16 @@ def fit_effects(
     problem = Problem(windows, effects, first)
     fitted = np.arange(len(problem.absent)) < (len(problem.absent) if first is None else first)
     thetas = [np.where(fitted, theta, problem.absent) for theta in thetas]
-    begun = [descend(problem, start.beta, np.clip(theta, problem.lower, problem.upper), iterations=2) for theta in thetas]
+    begun = [descend(problem, start.beta, theta, iterations=2) for theta in thetas]
     promising = sorted(begun, key=itemgetter(0))[: max((effect.followed for effect in effects), default=1)]
     _, beta, theta = min((descend(problem, beta, theta, iterations=ITERATIONS) for _, beta, theta in promising), key=itemgetter(0))
     return replace(_finish(problem, beta, theta), kept_absent=0 if first is None else len(theta) - first)
 
 
 def descend(problem: Problem, beta: Array, theta: Array, *, iterations: int) -> tuple[float, Array, Array]:
-    """Least cost (Levenberg-Marquardt), with the beta and theta at which it is."""
+    """Least cost (Levenberg-Marquardt) within the bounds, with the beta and theta at which it is; from the point within them that is nearest
+    to the one given."""
+    beta, theta = np.split(np.clip(np.concatenate((beta, theta)), *problem.bounds), [len(beta)])
     cost, damping = problem.cost(beta, theta), 1e-6
     for _ in range(iterations):
         new_beta, new_theta = problem.step(beta, theta, damping)

@@ -7,12 +7,14 @@ small imperfections go as far as the present recording lets them. What cannot be
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from core.array import Array
 from core.effects.effect import Effect
+from core.effects.links import LinkLoads, Links
 from core.effects.scene import PER_ROW, Scene
 from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import poses_of
@@ -114,14 +116,22 @@ def _split(scene: Scene, fit: EffectFit) -> dict[type[Effect], Array]:
 def append_scene(scene: Scene, ahead: Scene) -> Scene:
     """Both one after the other; what only the first one knows stays at its mean."""
     rows: dict[str, Any] = {
-        name: _rows_of(getattr(scene, name), getattr(ahead, name), len(ahead)) for name in PER_ROW if name not in ("t", "motion")
+        name: _rows_of(getattr(scene, name), getattr(ahead, name), len(ahead)) for name in PER_ROW if name not in ("t", "motion", "links")
     }
+    links = None if scene.links is None else Links(partial(_append_loads, scene.links, ahead.links, len(ahead)))
     motion = Motion(*[np.concatenate((getattr(scene.motion, k), getattr(ahead.motion, k))) for k in ("g", "a", "omega", "alpha")])
     t = np.concatenate((scene.t, scene.t[-1] + BETWEEN_RUNS_S + ahead.t - ahead.t[0]))
-    return replace(scene, t=t, motion=motion, joint_twists=None, **rows)
+    return replace(scene, t=t, motion=motion, links=links, joint_twists=None, **rows)
+
+
+def _append_loads(first: Links, then: Links | None, count: int) -> LinkLoads:
+    rest = (None, None, None) if then is None else then.loads
+    return LinkLoads(*(_append_rows(a, b, count) for a, b in zip(first.loads, rest, strict=True)))
 
 
 def _rows_of(first: Array | None, then: Array | None, count: int) -> Array | None:
-    if first is None:
-        return None
+    return None if first is None else _append_rows(first, then, count)
+
+
+def _append_rows(first: Array, then: Array | None, count: int) -> Array:
     return np.concatenate((first, np.repeat(first.mean(axis=0)[None], count, axis=0) if then is None else then))

@@ -16,10 +16,10 @@ from core.effects.payload_shift import PayloadShift
 from core.effects.sensor_translation import SensorTranslation
 from core.gap.basis import basis_of
 from core.gap.effect_fit import fit_effects, fit_nominal, go_rest_of_way, predict_held_out
-from core.gap.problem import SMALL, parameters_of
+from core.gap.problem import SMALL, Problem, parameters_of
 from core.gap.windows import Windows
 from tests.foreign_recordings import make_long
-from tests.synthetic import payload, record, run_of
+from tests.synthetic import Imperfections, payload, record, run_of
 
 
 @pytest.mark.parametrize("precision_of_the_last", [1.0, 1e-14])
@@ -90,3 +90,16 @@ def test_what_a_parameter_may_be_is_asked_of_the_run_with_its_payload() -> None:
     nominal = windows.basis.scene.with_phi(windows.phi).nominal
     most = max(np.exp(p.upper) for p in parameters_of(windows, HysteresisThatSnaps())[6:9])
     assert most == pytest.approx(0.5 * (np.ptp(nominal, axis=0) / full_scale(windows.basis.scene, nominal))[:3].max())
+
+
+def test_a_fit_stays_within_what_is_small_from_whatever_estimate_it_starts() -> None:
+    """An estimate that nobody bounds may take a delay for an imperfection, and an effect that does nothing would explain it."""
+    late = Imperfections(delay_s=0.02)
+    windows = Windows(basis_of(record(run_of(repetitions=1, period=0.008), payload("steel_block"), np.random.default_rng(1), late)))
+    nominal = fit_nominal(windows)
+    least, most = Problem(windows, (PayloadShift(),)).bounds[:, : len(nominal.beta)]
+    beta = np.linalg.solve(windows.normal + np.diag(windows.prior_std**-2.0), windows.flat.T @ windows.target.ravel())
+    assert not np.all((beta >= least) & (beta <= most))
+    nothing = np.array([p.absent for p in parameters_of(windows, PayloadShift())])
+    fit = fit_effects(windows, (PayloadShift(),), replace(nominal, beta=beta), [nothing])
+    assert np.all((fit.beta >= least) & (fit.beta <= most))

@@ -22,8 +22,20 @@ def test_whatever_is_known_of_each_row_is_known_of_both() -> None:
     scene = basis_of(record(run_of(repetitions=1), payload("steel_block"), np.random.default_rng(1))).scene
     both = append_scene(scene, scene)
     assert both.joint_inertia.shape == (2 * len(scene), 7, 7)
-    for name in set(PER_ROW) - {"motion"}:
+    for name in set(PER_ROW) - {"motion", "links"}:
         assert getattr(scene, name) is None or len(getattr(both, name)) == 2 * len(scene), name
+    assert scene.links is not None and both.links is not None
+    for first, joined in zip(scene.links.loads, both.links.loads, strict=True):
+        np.testing.assert_array_equal(joined, np.concatenate((first, first)))
+
+
+def test_what_links_ask_stays_at_its_mean_where_it_is_not_known_ahead() -> None:
+    scene = basis_of(record(run_of(repetitions=1), payload("steel_block"), np.random.default_rng(1))).scene
+    both = append_scene(scene, replace(scene, links=None))
+    assert scene.links is not None and both.links is not None
+    moment = scene.links.loads.moment
+    np.testing.assert_array_equal(both.links.loads.moment[: len(scene)], moment)
+    np.testing.assert_allclose(both.links.loads.moment[len(scene) :], np.tile(moment.mean(axis=0), (len(scene), 1)))
 
 
 def test_an_effect_that_both_explanations_have_puts_nothing_between_them() -> None:
