@@ -57,14 +57,18 @@ def find_truth(trial: Trial) -> int:
 
 def stack(trials: Sequence[Trial]) -> Cases:
     """Behind each other."""
-    each = [count(trial.traces[0], trial.traces[1:]) for trial in trials]
+    return stack_each([count(trial.traces[0], trial.traces[1:]) for trial in trials], [find_truth(trial) for trial in trials])
+
+
+def stack_each(each: Sequence[Contest], truths: Sequence[int]) -> Cases:
+    """Recordings behind each other, with the place of the truth in each."""
     most = max(len(numbers.chi_square) for numbers in each)
     chi_square, free, further = (
         np.array([np.pad(numbers[k], (0, most - len(numbers[k])), constant_values=fill) for numbers in each])
         for k, fill in enumerate((np.inf, 0.0, 0.0))
     )
     least, rows, left = (np.array([numbers[k] for numbers in each]) for k in (3, 4, 5))
-    return Cases(Contest(chi_square, free, further, least, rows, left), np.array([find_truth(trial) for trial in trials]))
+    return Cases(Contest(chi_square, free, further, least, rows, left), np.array(truths))
 
 
 def learn(cases: Cases, start: dict[str, float] | None = None) -> dict[str, float]:

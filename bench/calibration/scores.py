@@ -81,16 +81,24 @@ def is_right(trial: Trial, p: Array) -> bool:
 
 def find_calibration_error(trials: Sequence[Trial], told: dict[int, Array]) -> float:
     """Mean distance between the first probability and how often it was right, over bins of equal counts."""
-    first = [(float(told[trial.seed].max()), int(np.argmax(told[trial.seed])) == find_truth(trial)) for trial in trials]
+    return compare_in_bins([(float(told[trial.seed].max()), int(np.argmax(told[trial.seed])) == find_truth(trial)) for trial in trials])
+
+
+def compare_in_bins(first: Sequence[tuple[float, bool]]) -> float:
+    """The same of first probabilities, with whether each was right."""
     bins = np.array_split(np.array(sorted(first), dtype=float), BINS)
     return sum(len(rows) * abs(float(rows[:, 0].mean() - rows[:, 1].mean())) for rows in bins if len(rows)) / max(1, len(first))
 
 
 def find_outside(trials: Sequence[Trial], told: dict[int, Array]) -> float:
     """Probability below which answers are left out of the set, so that it holds the truth in 90 % (split conformal)."""
-    truths = np.sort([told[trial.seed][find_truth(trial)] for trial in trials])
+    return find_limit([float(told[trial.seed][find_truth(trial)]) for trial in trials])
+
+
+def find_limit(truths: Sequence[float]) -> float:
+    """Below which one in ten probabilities of the truth is, in expectation (split conformal)."""
     place = int(np.floor((1.0 - HELD) * (len(truths) + 1))) - 1
-    return float(truths[place]) if place >= 0 else 0.0
+    return sorted(truths)[place] if place >= 0 else 0.0
 
 
 def find_coverage(trials: Sequence[Trial], told: dict[int, Array]) -> tuple[float, float]:

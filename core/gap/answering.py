@@ -59,7 +59,7 @@ def with_likely(diagnosis: Diagnosis) -> Diagnosis:
     several = {"+".join(pair.ids): pair.probability for pair in diagnosis.pairs}
     told = {**singles, **several, "none": diagnosis.none_probability, "unknown": diagnosis.unknown_probability}
     first, *others = sorted(told, key=lambda name: -told[name])
-    likely = [first, *(name for name in others if told[name] >= read_figures().outside)]
+    likely = [first, *(name for name in others if told[name] >= read_figures().left_out)]
     return diagnosis.model_copy(update={"likely": likely})
 
 

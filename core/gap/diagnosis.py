@@ -76,8 +76,8 @@ def examine(
         evidence = gather(fine, candidates, fit_all)
     if evidence.verdict == "ambiguous":
         evidence = replace(evidence, proposals=proposals(recording, evidence.windows, evidence.rivals))
-    touched = find_touched(evidence, candidates, fit_all) if evidence.verdict == "unknown" else None
-    if evidence.verdict == "unknown" and touched is None:
+    touched = find_touched(evidence, candidates, fit_all) if evidence.in_doubt else None
+    if evidence.in_doubt and touched is None:
         evidence = spare_moments(evidence) or evidence
     told = answer(recording, evidence) if touched is None else answer_touched(recording, evidence, touched)
     lacking = describe_limits({find_effect(name): reason for name, reason in explain_lacks(twin, basis.scene).items()})

@@ -116,26 +116,22 @@ def fit_nominal(windows: Windows) -> EffectFit:
     return _finish(problem, beta, np.zeros(0))
 
 
-def fit_effects(
-    windows: Windows, effects: tuple[Effect, ...], start: EffectFit, thetas: list[Array], first: int | None = None
-) -> EffectFit:
+def fit_effects(windows: Windows, effects: tuple[Effect, ...], start: EffectFit, thetas: list[Array], smaller: bool = False) -> EffectFit:
     """The best fit from several starting values of theta, payload and offsets starting from another fit.
 
     Args:
-        first: how many of the parameters are fitted, from the first on; all where not given.
+        smaller: whether each effect is fitted in its smaller shape.
     """
-    problem = Problem(windows, effects, first)
-    fitted = np.arange(len(problem.absent)) < (len(problem.absent) if first is None else first)
-    thetas = [np.where(fitted, theta, problem.absent) for theta in thetas]
+    problem = Problem(windows, effects, smaller=smaller)
+    thetas = [np.where(problem.fitted, theta, problem.absent) for theta in thetas]
     begun = [descend(problem, start.beta, theta, iterations=2) for theta in thetas]
     promising = sorted(begun, key=itemgetter(0))[: max((effect.followed for effect in effects), default=1)]
     _, beta, theta = min((descend(problem, beta, theta, iterations=ITERATIONS) for _, beta, theta in promising), key=itemgetter(0))
-    return replace(_finish(problem, beta, theta), kept_absent=0 if first is None else len(theta) - first)
+    return replace(_finish(problem, beta, theta), kept_absent=int((~problem.fitted).sum()))
 
 
 def descend(problem: Problem, beta: Array, theta: Array, *, iterations: int) -> tuple[float, Array, Array]:
-    """Least cost (Levenberg-Marquardt) within the bounds, with the beta and theta at which it is; from the point within them that is nearest
-    to the one given."""
+    """Least cost (Levenberg-Marquardt) within the bounds, with the beta and theta at which it is; from the nearest point within them."""
     beta, theta = np.split(np.clip(np.concatenate((beta, theta)), *problem.bounds), [len(beta)])
     cost, damping = problem.cost(beta, theta), 1e-6
     for _ in range(iterations):

@@ -18,10 +18,10 @@ from core.gap.limits import GAP
 from core.gap.materiality import find_margins
 from core.gap.partners import leave_out_each, partners, take_fewer
 from core.gap.proposal import Proposal
-from core.gap.singles import Singles, fit_singly, hold_again, start_beside
+from core.gap.singles import Singles, fit_shapes, fit_singly, hold_again, start_beside
 from core.gap.sound_gears import ONE_IS_ENOUGH, find_gears_among
 from core.gap.tie import Tie, distance_sigma
-from core.gap.weighing import find_left_share, find_mattering, read_figures
+from core.gap.weighing import find_left_share, find_mattering, is_in_doubt, read_figures
 from core.gap.windows import Windows
 from core.words.message import Message
 
@@ -97,6 +97,12 @@ class Evidence:
         if attribution.ties or attribution.explained[0][1] < EXPLAINED:
             return "ambiguous"
         return "explained"
+
+    @property
+    def in_doubt(self) -> bool:
+        """Whether so much is left that one looks for what no effect of the library can explain: contacts, single motions that went
+        otherwise."""
+        return self.material and is_in_doubt(self.nominal, [*self.singles, *self.joined])
 
     @property
     def rivals(self) -> tuple[Tie, ...]:
@@ -208,8 +214,8 @@ def _find_needed(nominal: EffectFit, singles: list[EffectFit], joined: list[Effe
 def _fit_with_partners(
     windows: Windows, nominal: EffectFit, firsts: list[EffectFit], effects: list[Effect], fit_all: FitAll
 ) -> list[EffectFit]:
-    """Each with one effect more, the best first."""
-    return _take_each_once(nominal, fit_all(windows, partners(windows, firsts, effects, FURTHER, fit_all)))
+    """Each with one effect more, all in their smaller shapes, too, the best first."""
+    return _take_each_once(nominal, fit_shapes(windows, partners(windows, firsts, effects, FURTHER, fit_all), fit_all))
 
 
 def _take_most_first(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:

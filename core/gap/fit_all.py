@@ -38,13 +38,12 @@ class FitAll(Protocol):
 
 
 class Task(NamedTuple):
-    """Effects to fit together, the fit to start from, and starting values of their parameters; how many of these, from the first on, where
-    it is not all of them."""
+    """Effects to fit together, the fit to start from, and starting values of their parameters; whether each has its smaller shape."""
 
     effects: tuple[Effect, ...]
     start: EffectFit
     thetas: list[Array]
-    first: int | None = None
+    smaller: bool = False
 
     @property
     def name(self) -> str:

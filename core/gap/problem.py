@@ -56,10 +56,10 @@ class Problem:
     """Rows and derivatives for one set of effects.
 
     Args:
-        first: how many of the parameters are free, from the first on; the others stay absent. All where not given.
+        smaller: whether each effect has its smaller shape, unless the twin has it already; the other parameters stay absent.
     """
 
-    def __init__(self, windows: Windows, effects: tuple[Effect, ...], first: int | None = None) -> None:
+    def __init__(self, windows: Windows, effects: tuple[Effect, ...], *, smaller: bool = False) -> None:
         self.windows = windows
         self.effects = tuple(sorted(effects, key=lambda effect: STAGES.index(effect.stage)))
         parameters = [parameters_of(windows, effect) for effect in self.effects]
@@ -80,8 +80,9 @@ class Problem:
         self._always: dict[int, Array] = {}
         """Derivatives by what follows the course of a run, which is linear in it: the same everywhere."""
         self.target = windows.target.ravel()
-        width = np.full(len(self.parameters), PRIOR_WIDTH)
-        width[len(width) if first is None else first :] = ABSENT_WIDTH
+        sizes = [count_smaller(windows, effect) if smaller else n for effect, n in zip(self.effects, self.counts, strict=True)]
+        self.fitted = np.concatenate([np.zeros(0, dtype=bool), *(np.arange(n) < size for n, size in zip(self.counts, sizes, strict=True))])
+        width = np.where(self.fitted, PRIOR_WIDTH, ABSENT_WIDTH)
         self.precision = np.concatenate((windows.prior_std, width * self.scale)) ** -2.0
         small = np.full(len(windows.prior_std), np.inf)
         small[windows.background] = SMALL * windows.prior_std[windows.background]
@@ -198,3 +199,15 @@ def parameters_of(windows: Windows, effect: Effect) -> tuple[Parameter, ...]:
     if effect.id not in known:
         return parameters
     return tuple(replace(p, absent=float(value)) for p, value in zip(parameters, known[effect.id], strict=True))
+
+
+def has_smaller(windows: Windows, effects: tuple[Effect, ...]) -> bool:
+    """Whether any of them has a smaller shape in this recording."""
+    return any(count_smaller(windows, effect) < len(parameters_of(windows, effect)) for effect in effects)
+
+
+def count_smaller(windows: Windows, effect: Effect) -> int:
+    """How many parameters the effect has in its smaller shape; all where it has none, or the twin has the effect already."""
+    size = effect.smaller_shape(windows.basis.scene.with_phi(windows.phi))
+    is_known = effect.id in {term.effect.id for term in windows.held}
+    return len(parameters_of(windows, effect)) if size is None or is_known else size

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,6 +17,7 @@ from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.fit_all import FitAll, Task, on_all_cores
 from core.gap.most_rows import DRAWN, PARTS, fit_most
 from core.gap.partners import terms_of
+from core.gap.problem import has_smaller
 from core.gap.sound_gears import find_sound_gears, hold_gears
 from core.gap.weighing import find_left_share
 from core.gap.windows import PHI, Windows
@@ -78,11 +79,11 @@ def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wi
     scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
     known = {term.effect.id: [term.theta] for term in windows.held}
     plain = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in effects]
-    singles = choose_variants(nominal, _fit_shapes(windows, nominal, [task for task in plain if task.thetas], known, fit_all))
+    singles = choose_variants(nominal, fit_shapes(windows, [task for task in plain if task.thetas], fit_all))
     if _one_is_clear(nominal, singles):
         return singles
     richer = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider]
-    singles = choose_variants(nominal, [*singles, *_fit_shapes(windows, nominal, [task for task in richer if task.thetas], known, fit_all)])
+    singles = choose_variants(nominal, [*singles, *fit_shapes(windows, [task for task in richer if task.thetas], fit_all)])
     beside = [task for task in start_beside(windows, nominal, singles, wider) if task.thetas]
     singles = choose_variants(nominal, [*singles, *fit_all(windows, beside)]) if beside else singles
     if find_left_share(nominal, min(singles, key=lambda fit: fit.chi_square, default=nominal)) > ONE_IS_CLEAR:
@@ -90,11 +91,9 @@ def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wi
     return singles
 
 
-def _fit_shapes(windows: Windows, nominal: EffectFit, tasks: list[Task], known: Container[str], fit_all: FitAll) -> list[EffectFit]:
-    """The tasks, each in its smaller shape, too, unless the twin has the effect already."""
-    scene = windows.basis.scene.with_phi(nominal.phi)
-    smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
-    return fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)])
+def fit_shapes(windows: Windows, tasks: list[Task], fit_all: FitAll) -> list[EffectFit]:
+    """The tasks, each in its smaller shape, too, where there is one."""
+    return fit_all(windows, [*tasks, *(task._replace(smaller=True) for task in tasks if has_smaller(windows, task.effects))])
 
 
 def _one_is_clear(nominal: EffectFit, fits: list[EffectFit]) -> bool:
@@ -133,7 +132,7 @@ def hold_again(windows: Windows, gears: Term, singles: list[EffectFit], fit_all:
 
 def fit_again(fit: EffectFit, nominal: EffectFit) -> Task:
     """The same shape of an effect, from where it was."""
-    return Task(fit.effects, nominal, [fit.theta], len(fit.theta) - fit.kept_absent if fit.kept_absent else None)
+    return Task(fit.effects, nominal, [fit.theta], fit.kept_absent > 0)
 
 
 def _fit_from_most(windows: Windows, nominal: EffectFit, effects: Sequence[Effect], fit_all: FitAll) -> list[EffectFit]:

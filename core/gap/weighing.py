@@ -5,7 +5,7 @@ own error, which repeats itself from sample to sample, so all of it is worth a f
 that (a quasi-likelihood). Parameters cost by Schwarz's criterion, the further ones of a wrong model no more than what they can bend to.
 What the best one leaves over says, too, how probable it is that nothing in the library is the cause, and that the winner has only bent
 better than the truth. The figures of all this stand in `probabilities.json`, with where they come from: `python -m bench.calibration`
-learns them from simulated trials.
+learns them from simulated trials, and `python -m bench.calibration.strangers` the doubts from recordings of strangers.
 """
 
 from __future__ import annotations
@@ -29,6 +29,9 @@ STIFF = 6
 """Parameters that a model is stiff with: it takes more of them to bend."""
 LEAST_SHARE = 1e-4
 """Of the gap: less than this is nothing left."""
+
+DOUBTS = ("unknown", "unknown_left", "lapse", "lapse_left")
+"""Figures that say how far the library is trusted where its best fit leaves something."""
 
 MEASURES = ("gap", "moved", "reference")
 """By which what is there may matter."""
@@ -64,6 +67,26 @@ class Provenance(BaseModel):
     scores: dict[str, float]
 
 
+class Elsewhere(BaseModel):
+    """The doubts learnt again from recordings of machines and causes that strangers to the library have made: real causes have shapes that
+    it does not have, so that a right name leaves more than trials let expect.
+
+    Args:
+        doubts: `DOUBTS`, in the place of those that trials have taught.
+        outside: as in `Figures`, where what is weighed is such a recording.
+        scores: of recordings of one stranger after the other, with what was learnt from the others'.
+    """
+
+    model_config = ConfigDict(frozen=True)
+
+    date: str
+    recordings: int
+    learnt_from: int
+    doubts: dict[str, float]
+    outside: float
+    scores: dict[str, float]
+
+
 class Figures(BaseModel):
     """What is learnt.
 
@@ -78,6 +101,7 @@ class Figures(BaseModel):
             it matters where it was found to be just what does, and what e times as much adds.
         widened: factor on the payload's uncertainty within each explanation of a gap that matters, by which intervals hold the truth as
             often as they say.
+        elsewhere: what strangers' recordings have taught besides; None before they have.
     """
 
     model_config = ConfigDict(frozen=True)
@@ -87,6 +111,17 @@ class Figures(BaseModel):
     matters: dict[str, tuple[float, float]]
     widened: float
     provenance: Provenance
+    elsewhere: Elsewhere | None = None
+
+    @property
+    def everywhere(self) -> dict[str, float]:
+        """Figures with the doubts that hold on any machine."""
+        return self.figures if self.elsewhere is None else {**self.figures, **self.elsewhere.doubts}
+
+    @property
+    def left_out(self) -> float:
+        """Probability below which an answer is left out of the set that is to hold the truth."""
+        return self.outside if self.elsewhere is None else self.elsewhere.outside
 
 
 @cache
@@ -114,7 +149,13 @@ class Contest(NamedTuple):
 
 def weigh(nominal: HeldOut, fits: Sequence[HeldOut]) -> Array:
     """(2 + n,), probabilities of no effect, of one that the library does not have, and of each of the n fits; they sum to 1."""
-    return weigh_numbers(count(nominal, fits), read_figures().figures)
+    return weigh_numbers(count(nominal, fits), read_figures().everywhere)
+
+
+def is_in_doubt(nominal: HeldOut, fits: Sequence[HeldOut]) -> bool:
+    """Whether no fit is as probable as that nothing in the library is the cause, by what trials have taught of shapes that it has."""
+    _, unknown, *shares = weigh_numbers(count(nominal, fits), read_figures().figures)
+    return bool(unknown >= max(shares, default=0.0))
 
 
 def count(nominal: HeldOut, fits: Sequence[HeldOut]) -> Contest:

@@ -55,6 +55,18 @@ def test_a_second_cause_that_matters_by_itself_is_sought_however_little_of_the_g
     assert evidence.best.name == "base_tilt+sensor_drift"
 
 
+def test_of_several_effects_at_once_each_has_its_smaller_shape_where_that_says_as_much() -> None:
+    """A gain beside a tilt: whether it pulls and pushes alike need not be fitted, and would cost what tells it from a curve."""
+    tilted = record(run_of(repetitions=1), payload("steel_block"), np.random.default_rng(0), Imperfections(tilt_rad=(0.03, -0.02)))
+    assert tilted.wrench is not None
+    recording = replace(tilted, wrench=tilted.wrench * np.array([1.03, 0.98, 1.04, 0.97, 1.02, 1.03]))
+    evidence = gather(Windows(basis_of(recording)), few("base_tilt", "sensor_gain"), one_by_one)
+    assert evidence.best.name == "base_tilt+sensor_gain"
+    assert evidence.best.kept_absent == 6
+    assert evidence.best.theta[-6:] == pytest.approx(np.zeros(6), abs=1e-5)
+    assert evidence.best.free == 8
+
+
 def test_a_richer_shape_is_sought_although_four_other_effects_explain_more_than_the_plain_one() -> None:
     names = ("time_delay", "external_contact", "sensor_offset_step", "sensor_creep", "sensor_lowpass")
     effects = [effect for effect in library() if effect.id in names]
