@@ -67,8 +67,8 @@ def stack_each(each: Sequence[Contest], truths: Sequence[int]) -> Cases:
         np.array([np.pad(numbers[k], (0, most - len(numbers[k])), constant_values=fill) for numbers in each])
         for k, fill in enumerate((np.inf, 0.0, 0.0))
     )
-    least, rows, left = (np.array([numbers[k] for numbers in each]) for k in (3, 4, 5))
-    return Cases(Contest(chi_square, free, further, least, rows, left), np.array(truths))
+    least, rows = (np.array([numbers[k] for numbers in each]) for k in (3, 4))
+    return Cases(Contest(chi_square, free, further, least, rows), np.array(truths))
 
 
 def learn(cases: Cases, start: dict[str, float] | None = None) -> dict[str, float]:

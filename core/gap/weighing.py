@@ -3,9 +3,10 @@
 Fits compete by their predictions of motions that they did not see. No model is exact: what the best one leaves over beyond chance is its
 own error, which repeats itself from sample to sample, so all of it is worth a few independent draws, and chi-square is counted in units of
 that (a quasi-likelihood). Parameters cost by Schwarz's criterion, the further ones of a wrong model no more than what they can bend to.
-What the best one leaves over says, too, how probable it is that nothing in the library is the cause, and that the winner has only bent
-better than the truth. The figures of all this stand in `probabilities.json`, with where they come from: `python -m bench.calibration`
-learns them from simulated trials, and `python -m bench.calibration.strangers` the doubts from recordings of strangers.
+What a fit leaves over says, too, how probable it is that nothing in the library is the cause though it predicts best, and what the best
+one leaves, that the winner has only bent better than the truth. The figures of all this stand in `probabilities.json`, with where they come
+from: `python -m bench.calibration` learns them from simulated trials, and `python -m bench.calibration.strangers` the doubts again from
+recordings of strangers.
 """
 
 from __future__ import annotations
@@ -136,7 +137,6 @@ class Contest(NamedTuple):
     Args:
         chi_square, free, further: (..., 1 + n), on unseen motions, parameters, effects beyond the first.
         least: (..., 1), the smallest chi-square; rows: (..., 1), equations.
-        left: (..., 1), share of the gap that the best fit leaves.
     """
 
     chi_square: Array
@@ -144,7 +144,12 @@ class Contest(NamedTuple):
     further: Array
     least: Array
     rows: Array
-    left: Array
+
+    @property
+    def left(self) -> Array:
+        """(..., 1 + n), share that each leaves of the nominal twin's excess over noise; at most 1."""
+        beyond = find_beyond_chance(self.chi_square, self.rows)
+        return np.minimum(1.0, beyond / np.maximum(self.chi_square[..., :1] / self.rows - 1.0, 1e-9))
 
 
 def weigh(nominal: HeldOut, fits: Sequence[HeldOut]) -> Array:
@@ -168,7 +173,6 @@ def count(nominal: HeldOut, fits: Sequence[HeldOut]) -> Contest:
         np.array([float(fit.further) for fit in every]),
         np.array([best.chi_square]),
         np.array([float(best.rows)]),
-        np.array([find_left_share(nominal, best)]),
     )
 
 
@@ -176,16 +180,16 @@ def weigh_numbers(numbers: Contest, figures: Mapping[str, float]) -> Array:
     """(..., 2 + n), probabilities as `weigh` has them."""
     shares = np.exp(log_softmax(score(numbers, figures), axis=-1))
     unknown, lapse = find_doubts(numbers.left, figures)
+    lapse = lapse[..., 1:].min(axis=-1, keepdims=True, initial=1.0)
     shares = (1.0 - lapse) * shares + lapse * np.exp(log_softmax(_score_nearness(numbers), axis=-1))
-    none, fits = shares[..., :1], shares[..., 1:]
-    unknown = (1.0 - none) * unknown
-    return np.concatenate([(1.0 - unknown) * none, unknown, (1.0 - unknown) * fits], axis=-1)
+    none, fits, unknown = shares[..., :1], shares[..., 1:], unknown[..., 1:]
+    return np.concatenate([none, (unknown * fits).sum(axis=-1, keepdims=True), (1.0 - unknown) * fits], axis=-1)
 
 
 def score(numbers: Contest, figures: Mapping[str, float]) -> Array:
     """(..., 1 + n), log weights: how much worse than the best each predicts, less what its parameters cost, so that of two that predict
     alike the smaller one wins. The nominal twin is no approximation: what it predicts worse counts in full."""
-    chi_square, free, further, least, rows, _ = numbers
+    chi_square, free, further, least, rows = numbers
     beyond = find_beyond_chance(least, rows)
     scale, unit = 1.0 + beyond * rows / math.exp(figures["log_draws"]), np.maximum(1.0, least / rows)
     schwarz = figures["schwarz"] * np.log(rows * unit / scale)
@@ -196,8 +200,8 @@ def score(numbers: Contest, figures: Mapping[str, float]) -> Array:
 
 
 def find_doubts(left: Array, figures: Mapping[str, float]) -> tuple[Array, Array]:
-    """That nothing in the library is the cause, where there is one, and that the winner is not; `left` is what the best fit leaves of the
-    gap, a share."""
+    """That nothing in the library is the cause, where there is one, though a fit leaves no more than that share of the gap; and that the
+    winner is not where the best fit leaves it."""
     powers = 2.0 + np.log10(left + LEAST_SHARE)
     unknown, lapse = (expit(figures[name] + figures[f"{name}_left"] * powers) for name in ("unknown", "lapse"))
     return unknown, lapse
@@ -229,5 +233,4 @@ def find_beyond_chance(chi_square: Array, rows: Array) -> Array:
 
 def find_left_share(nominal: HeldOut, fit: HeldOut) -> float:
     """Share of the nominal twin's excess over noise that a fit leaves on unseen motions; at most 1."""
-    beyond = float(find_beyond_chance(np.array(fit.chi_square), np.array(float(fit.rows))))
-    return min(1.0, beyond / max(nominal.chi_square / nominal.rows - 1.0, 1e-9))
+    return float(count(nominal, [fit]).left[1])

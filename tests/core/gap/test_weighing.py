@@ -7,7 +7,7 @@ import pytest
 
 from bench.calibration.trace import BLOCKS, Trace
 from core.gap.answering import not_enough, with_likely
-from core.gap.weighing import count, find_doubts, find_left_share, read_figures, score, weigh
+from core.gap.weighing import Elsewhere, count, find_doubts, find_left_share, is_in_doubt, read_figures, score, weigh
 from core.words.message import Message
 
 ROWS = 6000
@@ -91,3 +91,25 @@ def test_the_likely_answers_are_those_that_are_not_outside_the_set_of_nine_in_te
     near = with_likely(told.model_copy(update={"unknown_probability": 0.9, "none_probability": 1.5 * outside}))
     assert near.likely == ["unknown", "none"]
     assert with_likely(told.model_copy(update={"unknown_probability": 0.9, "none_probability": 0.5 * outside})).likely == ["unknown"]
+
+
+def test_strangers_teach_the_doubts_and_trials_when_to_look_for_what_no_effect_explains(monkeypatch: pytest.MonkeyPatch) -> None:
+    sure = {"unknown": -9.0, "unknown_left": 0.0, "lapse": -9.0, "lapse_left": 0.0}
+    elsewhere = Elsewhere(date="", recordings=1, learnt_from=1, doubts=sure, outside=0.1, scores={})
+    alone = read_figures().model_copy(update={"elsewhere": None})
+    fits = [trace("a", 10.0), trace("b", 45.0)]
+    for known, is_doubted in ((alone, True), (alone.model_copy(update={"elsewhere": elsewhere}), False)):
+        monkeypatch.setattr("core.gap.weighing.read_figures", lambda known=known: known)
+        assert bool(np.argmax(weigh(trace("none", 50.0), fits)) == 1) == is_doubted
+        assert is_in_doubt(trace("none", 50.0), fits)
+        assert not is_in_doubt(trace("none", 50.0), [trace("a", 0.0)])
+    assert alone.left_out == alone.outside
+    assert alone.model_copy(update={"elsewhere": elsewhere}).left_out == 0.1
+
+
+def test_each_fit_is_doubted_by_what_it_leaves_itself() -> None:
+    """One effect that leaves a third is not believed because three at once, which are improbable, leave little."""
+    nominal, few, many = trace("none", 50.0), trace("a", 15.0), trace("b+c+d", 0.5, 40)
+    none, unknown, a, _ = weigh(nominal, [few, many])
+    assert a / (1.0 - none) < 1.0 - float(find_doubts(np.array(0.3), read_figures().everywhere)[0])
+    assert unknown > float(find_doubts(np.array(0.01), read_figures().everywhere)[0])
