@@ -22,6 +22,7 @@ PRIOR = {
     "further": (np.log(1000.0), 2.0),
     "unknown": (-2.6, 1.5),
     "unknown_left": (1.5, 1.0),
+    "mimicked": (-3.5, 1.0),
     "lapse": (-2.2, 0.7),
     "lapse_left": (0.8, 0.5),
 }

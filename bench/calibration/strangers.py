@@ -74,7 +74,7 @@ def is_decided_by_fits(case: Case, figures: Mapping[str, float]) -> bool:
 def learn_doubts(cases: Sequence[Case], figures: Mapping[str, float]) -> dict[str, float]:
     """The most probable doubts, from what trials have taught and as wide as before any."""
     numbers, truths = stack_each([count(case.answer.weighed[0], case.answer.weighed[1:]) for case in cases], [case.place for case in cases])
-    mean, std = np.array([figures[name] for name in DOUBTS]), np.array([PRIOR[name][1] for name in DOUBTS])
+    mean, std = np.array([figures.get(name, PRIOR[name][0]) for name in DOUBTS]), np.array([PRIOR[name][1] for name in DOUBTS])
 
     def cost(v: Array) -> float:
         p = weigh_numbers(numbers, {**figures, **dict(zip(DOUBTS, mean + std * v, strict=True))})
@@ -128,6 +128,13 @@ def judge(cases: Sequence[Case], before: Mapping[str, float], by_stranger: ByStr
     }
 
 
+def print_scores(name: str, scores: Mapping[str, float]) -> None:
+    """A line."""
+    shares = ", ".join(f"{kind} {scores[kind]:.0f} of {scores[f'{kind}, of']:.0f}" for kind in KINDS)
+    print(f"{name}: {shares}; log loss {scores['log_loss']:.3f}, calibration error {100 * scores['calibration']:.1f} %,")
+    print(f"    sets that are to hold the truth in 90 %: {100 * scores['covered']:.1f} %, {scores['set_size']:.1f} answers each")
+
+
 def main() -> None:
     """Learns, judges, prints."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -145,8 +152,8 @@ def main() -> None:
         for stranger in strangers
     }
     scores = judge(cases, shipped.figures, left_out)
-    print("as trials have taught:", judge(cases, shipped.figures, dict.fromkeys(strangers, shipped.figures)))
-    print("each stranger left out:", scores)
+    print_scores("as trials have taught", judge(cases, shipped.figures, dict.fromkeys(strangers, shipped.figures)))
+    print_scores("each stranger left out", scores)
     elsewhere = Elsewhere(
         date=f"{datetime.now(UTC):%Y-%m-%d}",
         recordings=len(cases),

@@ -102,7 +102,7 @@ class Evidence:
     def in_doubt(self) -> bool:
         """Whether so much is left that one looks for what no effect of the library can explain: contacts, single motions that went
         otherwise."""
-        return self.material and is_in_doubt(self.nominal, [*self.singles, *self.joined])
+        return self.material and is_in_doubt(self.nominal, *self.singles, *self.joined)
 
     @property
     def rivals(self) -> tuple[Tie, ...]:

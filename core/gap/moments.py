@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from core.gap.attribution import attribute
 from core.gap.effect_fit import EffectFit
 from core.gap.evidence import Evidence
+from core.gap.weighing import is_in_doubt
 from core.words.message import Message
 
 FEW = 0.15
@@ -29,9 +30,9 @@ def spare_moments(evidence: Evidence) -> Evidence | None:
     moments = find_moments(left, evidence.windows.group)
     if left[moments].sum() < MOST * left.sum() or gap[~moments].sum() < MOST * gap.sum():
         return None
-    spared = replace(evidence, attribution=attribute(evidence.windows, nominal, fits, ~moments))
-    if spared.verdict == "unknown":
+    if is_in_doubt(*(replace(fit, held_out=fit.held_out[:, ~moments]) for fit in (nominal, *fits))):
         return None
+    spared = replace(evidence, attribution=attribute(evidence.windows, nominal, fits, ~moments))
     at_s = float(evidence.windows.centres[np.argmax(left)])
     return replace(
         spared, limits=(Message.of("gap-moments-left", share=float(left[moments].sum() / left.sum()), at_s=at_s), *spared.limits)

@@ -31,7 +31,7 @@ STIFF = 6
 LEAST_SHARE = 1e-4
 """Of the gap: less than this is nothing left."""
 
-DOUBTS = ("unknown", "unknown_left", "lapse", "lapse_left")
+DOUBTS = ("unknown", "unknown_left", "mimicked", "lapse", "lapse_left")
 """Figures that say how far the library is trusted where its best fit leaves something."""
 
 MEASURES = ("gap", "moved", "reference")
@@ -96,7 +96,8 @@ class Figures(BaseModel):
             that each of the first `STIFF` parameters costs (1/2 is Schwarz's); `log_bent`, share of the gap that each further one
             may take up by bending, by its logarithm; `none`, log odds of no effect against each single one; `further`, log odds against
             each further effect; `unknown`, `unknown_left`, `lapse`, `lapse_left`, logits of the two doubts where the best fit leaves 1 % of
-            the gap, and what ten times as much adds to them.
+            the gap, and what ten times as much adds to them; `mimicked`, logit that a cause which the library does not have is followed by
+            what it has, whatever is left (0 % in figures that were learnt without it).
         outside: probability below which an answer is left out of the set that holds the truth in 90 % of all cases.
         matters: of what lifts the gap, of what an explanation moves in the payload, and of what puts it off its reference: the logit that
             it matters where it was found to be just what does, and what e times as much adds.
@@ -157,7 +158,7 @@ def weigh(nominal: HeldOut, fits: Sequence[HeldOut]) -> Array:
     return weigh_numbers(count(nominal, fits), read_figures().everywhere)
 
 
-def is_in_doubt(nominal: HeldOut, fits: Sequence[HeldOut]) -> bool:
+def is_in_doubt(nominal: HeldOut, *fits: HeldOut) -> bool:
     """Whether no fit is as probable as that nothing in the library is the cause, by what trials have taught of shapes that it has."""
     _, unknown, *shares = weigh_numbers(count(nominal, fits), read_figures().figures)
     return bool(unknown >= max(shares, default=0.0))
@@ -204,7 +205,8 @@ def find_doubts(left: Array, figures: Mapping[str, float]) -> tuple[Array, Array
     winner is not where the best fit leaves it."""
     powers = 2.0 + np.log10(left + LEAST_SHARE)
     unknown, lapse = (expit(figures[name] + figures[f"{name}_left"] * powers) for name in ("unknown", "lapse"))
-    return unknown, lapse
+    mimicked = expit(figures.get("mimicked", -math.inf))
+    return mimicked + (1.0 - mimicked) * unknown, lapse
 
 
 def find_mattering(margins: Array, matters: Mapping[str, tuple[float, float]]) -> Array:

@@ -101,8 +101,8 @@ def test_strangers_teach_the_doubts_and_trials_when_to_look_for_what_no_effect_e
     for known, is_doubted in ((alone, True), (alone.model_copy(update={"elsewhere": elsewhere}), False)):
         monkeypatch.setattr("core.gap.weighing.read_figures", lambda known=known: known)
         assert bool(np.argmax(weigh(trace("none", 50.0), fits)) == 1) == is_doubted
-        assert is_in_doubt(trace("none", 50.0), fits)
-        assert not is_in_doubt(trace("none", 50.0), [trace("a", 0.0)])
+        assert is_in_doubt(trace("none", 50.0), *fits)
+        assert not is_in_doubt(trace("none", 50.0), trace("a", 0.0))
     assert alone.left_out == alone.outside
     assert alone.model_copy(update={"elsewhere": elsewhere}).left_out == 0.1
 
