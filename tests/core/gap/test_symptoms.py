@@ -45,12 +45,11 @@ def test_a_floor_that_shakes_is_named_although_a_part_that_swings_takes_up_most_
     candidates = [effect for effect in library() if effect.id in SWINGS]
     diagnosis, evidence = examine(make("floor_shakes", 8181), candidates, fit_all=one_by_one)
     assert evidence is not None
-    fit, probability = evidence.attribution.explained[0]
+    fit, _ = evidence.attribution.explained[0]
     assert (diagnosis.verdict, evidence.best.name, fit.name) == ("no_gap", "payload_loose", "payload_loose")
-    assert evidence.attribution.unknown > probability
     fits = [*evidence.singles, *evidence.joined]
     _, unknown, *shares = weigh_numbers(count(evidence.nominal, fits), read_figures().figures)
-    assert unknown > 2.0 * max(shares)  # by what trials have taught
+    assert unknown > 2.0 * max(shares)  # by what trials have taught; strangers' causes that leave as much are as often named as unknown
     assert [each.id for each in diagnosis.also if each.material] == ["structure_vibration"]
 
 
