@@ -23,14 +23,12 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from bench.calibration.learning import PRIOR, stack_each
 from bench.calibration.scores import compare_in_bins, find_limit
 from bench.json_lines import read_results
-from bench.stranger.__main__ import read_truths
 from bench.stranger.answer import Answer
-from bench.stranger.score import BESIDE, KINDS, Planted, count_right
+from bench.stranger.score import BESIDE, KINDS, Planted, count_right, read_planted
 from core.array import Array
 from core.gap.weighing import DOUBTS, FILE, Elsewhere, count, read_figures, weigh_numbers
 
 FEWEST = 2
-NAME = __import__("os").environ.get("NAME", "diagnoses.jsonl")
 ByStranger = Mapping[str, Mapping[str, float]]
 """Figures for each stranger's recordings."""
 
@@ -56,7 +54,7 @@ class Case(NamedTuple):
 
 def read_cases(folder: Path) -> list[Case]:
     """Those of which something could be fitted."""
-    truths = {number: Planted.model_validate(truth) for number, truth in read_truths(folder).items()}
+    truths = read_planted(folder)
     return [Case(truths[answer.case], answer, str(folder)) for answer in read_results(folder / "diagnoses.jsonl", Answer) if answer.weighed]
 
 

@@ -20,8 +20,7 @@ from pathlib import Path
 from bench.json_lines import append_results, read_results
 from bench.stranger.answer import Answer
 from bench.stranger.diagnosing import diagnose
-from bench.stranger.making import Truth
-from bench.stranger.score import Planted, print_score
+from bench.stranger.score import TRUTHS, print_score, read_planted, read_truths
 from bench.stranger.sets import SETS, Recording
 from core.trial.batch import on_cores
 
@@ -41,12 +40,6 @@ def _list_names(recording: Recording) -> set[str]:
     return {recording.number, recording.name, *recording.name.split("+")}
 
 
-def read_truths(folder: Path) -> dict[str, Truth]:
-    """Of the recordings that are there whole."""
-    path = folder / "truth.json"
-    return json.loads(path.read_text()) if path.exists() else {}
-
-
 def make_missing(folder: Path, recordings: Iterable[Recording], pool: Executor) -> None:
     """Writes recordings, and the truth about each after it."""
     truths = read_truths(folder)
@@ -57,7 +50,7 @@ def make_missing(folder: Path, recordings: Iterable[Recording], pool: Executor) 
         truths[number] = future.result()
         partly = folder / "truth.json.new"
         partly.write_text(json.dumps(dict(sorted(truths.items())), indent=1))
-        partly.replace(folder / "truth.json")
+        partly.replace(folder / TRUTHS)
         print(f"{number} made", flush=True)
 
 
@@ -90,7 +83,7 @@ def main() -> None:
         make_missing(folder, recordings, pool)
         diagnose_missing(folder, recordings, pool)
     numbers = {each.number for each in recordings}
-    truths = {number: Planted.model_validate(truth) for number, truth in read_truths(folder).items()}
+    truths = read_planted(folder)
     answers = {answer.case: answer for answer in read_results(folder / "diagnoses.jsonl", Answer) if answer.case in numbers}
     print_score(truths, answers)
 

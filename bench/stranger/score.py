@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
+from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict
 
@@ -10,6 +12,8 @@ from bench.stranger.answer import Answer
 
 BESIDE = frozenset({"sensor_noise", "sensor_interference", "sensor_quantization", "sample_dropout", "payload_mismatch", "joint_friction"})
 """What is read off the recording beside the verdict on the wrench."""
+TRUTHS = "truth.json"
+"""In a set's folder, by the number of its recordings."""
 NO_NAME = ("no_gap", "unknown")
 """Verdicts on the wrench that name nothing."""
 KINDS = ("single in the wrench", "read off beside", "unknown", "pair", "none")
@@ -25,6 +29,17 @@ class Planted(BaseModel):
     variant: str
     visible_sigma: float
     also_defensible: tuple[str, ...] = ()
+
+
+def read_truths(folder: Path) -> dict[str, dict[str, object]]:
+    """All that is told of the recordings that are there whole."""
+    path = folder / TRUTHS
+    return json.loads(path.read_text()) if path.exists() else {}
+
+
+def read_planted(folder: Path) -> dict[str, Planted]:
+    """What the score has to know of them."""
+    return {number: Planted.model_validate(truth) for number, truth in read_truths(folder).items()}
 
 
 def find_kind(truth: Planted) -> str:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.effects.joint_twists import JointTwists
-from core.effects.links import Links
+from core.effects.link_loads import LazyLinkLoads
 from core.effects.memory import Memory, Past
 from core.payload.inertia import Motion, spatial_inertia
 from core.payload.rigid_wrench import wrench
@@ -59,7 +59,7 @@ class Scene:
     dq: Array | None = None
     jacobian: Array | None = None
     torque: Array | None = None
-    links: Links | None = None
+    links: LazyLinkLoads | None = None
     temperature: Array | None = None
     range: Array | None = None
     resolution: Array | None = None

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array, interpolate
-from core.effects.links import LinkLoads, Links
+from core.effects.link_loads import LazyLinkLoads, LinkLoads
 from core.effects.scene import Scene
 from core.estimation.kinematics import Poses, local_derivative
 from core.estimation.segments import Segment
@@ -64,7 +64,7 @@ def _scene_at(
     q = None if recording.q is None else take(recording.q)
     links = None
     if recording.q is not None and robot is not None and has_masses(robot):
-        links = Links(partial(_find_loads, LinkDynamics(robot, recording.gravity), recording.q, take, differentiate))
+        links = LazyLinkLoads(partial(_find_loads, LinkDynamics(robot, recording.gravity), recording.q, take, differentiate))
     return Scene(
         t=t,
         phase=np.full(len(t), ""),

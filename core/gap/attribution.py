@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,7 +34,7 @@ class Attribution:
 def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit], kept: NDArray[np.bool_] | None = None) -> Attribution:
     """Weighs the fits against each other and against the nominal twin; by the rows kept (K,) alone, where not all are to count."""
     best = min(fits, key=lambda fit: fit.chi_square, default=nominal)
-    weighed = [fit if kept is None else replace(fit, held_out=fit.held_out[:, kept]) for fit in (nominal, *fits)]
+    weighed = [fit if kept is None else fit.judged_by(kept) for fit in (nominal, *fits)]
     none, unknown, shares = probabilities(weighed[0], weighed[1:])
     explained = tuple(sorted(zip(fits, shares, strict=True), key=lambda pair: -pair[1]))
     unit = max(1.0, float(np.sqrt(best.held_out.mean())))

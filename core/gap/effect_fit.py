@@ -91,6 +91,10 @@ class EffectFit:
         """Identifiers joined by a plus sign."""
         return "+".join(effect.id for effect in self.effects) or "none"
 
+    def judged_by(self, kept: NDArray[np.bool_]) -> EffectFit:
+        """The same fit, of which only the rows kept (K,) are predicted."""
+        return replace(self, held_out=self.held_out[:, kept])
+
     @property
     def phi(self) -> Array:
         """(10,)."""

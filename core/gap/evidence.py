@@ -98,7 +98,7 @@ class Evidence:
             return "ambiguous"
         return "explained"
 
-    @property
+    @cached_property
     def in_doubt(self) -> bool:
         """Whether so much is left that one looks for what no effect of the library can explain: contacts, single motions that went
         otherwise."""

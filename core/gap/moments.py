@@ -30,7 +30,7 @@ def spare_moments(evidence: Evidence) -> Evidence | None:
     moments = find_moments(left, evidence.windows.group)
     if left[moments].sum() < MOST * left.sum() or gap[~moments].sum() < MOST * gap.sum():
         return None
-    if is_in_doubt(*(replace(fit, held_out=fit.held_out[:, ~moments]) for fit in (nominal, *fits))):
+    if is_in_doubt(*(fit.judged_by(~moments) for fit in (nominal, *fits))):
         return None
     spared = replace(evidence, attribution=attribute(evidence.windows, nominal, fits, ~moments))
     at_s = float(evidence.windows.centres[np.argmax(left)])

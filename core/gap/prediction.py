@@ -14,7 +14,7 @@ import numpy as np
 
 from core.array import Array
 from core.effects.effect import Effect
-from core.effects.links import LinkLoads, Links
+from core.effects.link_loads import LazyLinkLoads, LinkLoads
 from core.effects.scene import PER_ROW, Scene
 from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import poses_of
@@ -118,13 +118,13 @@ def append_scene(scene: Scene, ahead: Scene) -> Scene:
     rows: dict[str, Any] = {
         name: _rows_of(getattr(scene, name), getattr(ahead, name), len(ahead)) for name in PER_ROW if name not in ("t", "motion", "links")
     }
-    links = None if scene.links is None else Links(partial(_append_loads, scene.links, ahead.links, len(ahead)))
+    links = None if scene.links is None else LazyLinkLoads(partial(_append_loads, scene.links, ahead.links, len(ahead)))
     motion = Motion(*[np.concatenate((getattr(scene.motion, k), getattr(ahead.motion, k))) for k in ("g", "a", "omega", "alpha")])
     t = np.concatenate((scene.t, scene.t[-1] + BETWEEN_RUNS_S + ahead.t - ahead.t[0]))
     return replace(scene, t=t, motion=motion, links=links, joint_twists=None, **rows)
 
 
-def _append_loads(first: Links, then: Links | None, count: int) -> LinkLoads:
+def _append_loads(first: LazyLinkLoads, then: LazyLinkLoads | None, count: int) -> LinkLoads:
     rest = (None, None, None) if then is None else then.loads
     return LinkLoads(*(_append_rows(a, b, count) for a, b in zip(first.loads, rest, strict=True)))
 

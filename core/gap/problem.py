@@ -80,7 +80,7 @@ class Problem:
         self._always: dict[int, Array] = {}
         """Derivatives by what follows the course of a run, which is linear in it: the same everywhere."""
         self.target = windows.target.ravel()
-        sizes = [count_smaller(windows, effect) if smaller else n for effect, n in zip(self.effects, self.counts, strict=True)]
+        sizes = [(find_smaller(windows, effect) if smaller else None) or n for effect, n in zip(self.effects, self.counts, strict=True)]
         self.fitted = np.concatenate([np.zeros(0, dtype=bool), *(np.arange(n) < size for n, size in zip(self.counts, sizes, strict=True))])
         width = np.where(self.fitted, PRIOR_WIDTH, ABSENT_WIDTH)
         self.precision = np.concatenate((windows.prior_std, width * self.scale)) ** -2.0
@@ -201,13 +201,8 @@ def parameters_of(windows: Windows, effect: Effect) -> tuple[Parameter, ...]:
     return tuple(replace(p, absent=float(value)) for p, value in zip(parameters, known[effect.id], strict=True))
 
 
-def has_smaller(windows: Windows, effects: tuple[Effect, ...]) -> bool:
-    """Whether any of them has a smaller shape in this recording."""
-    return any(count_smaller(windows, effect) < len(parameters_of(windows, effect)) for effect in effects)
-
-
-def count_smaller(windows: Windows, effect: Effect) -> int:
-    """How many parameters the effect has in its smaller shape; all where it has none, or the twin has the effect already."""
-    size = effect.smaller_shape(windows.basis.scene.with_phi(windows.phi))
+def find_smaller(windows: Windows, effect: Effect) -> int | None:
+    """How many of the effect's parameters, from the first on, make up its smaller shape; None where it has none, or the twin has the effect
+    already."""
     is_known = effect.id in {term.effect.id for term in windows.held}
-    return len(parameters_of(windows, effect)) if size is None or is_known else size
+    return None if is_known else effect.smaller_shape(windows.basis.scene.with_phi(windows.phi))

@@ -17,7 +17,7 @@ from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.fit_all import FitAll, Task, on_all_cores
 from core.gap.most_rows import DRAWN, PARTS, fit_most
 from core.gap.partners import terms_of
-from core.gap.problem import has_smaller
+from core.gap.problem import find_smaller
 from core.gap.sound_gears import find_sound_gears, hold_gears
 from core.gap.weighing import find_left_share
 from core.gap.windows import PHI, Windows
@@ -58,6 +58,8 @@ def fit_singly(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on
     """All effects by themselves, in the shapes that are most probable."""
     nominal = fit_nominal(windows)
     scene = windows.basis.scene.with_phi(nominal.phi)
+    if scene.links is not None:
+        scene.links.find()  # here, or each of the processes that fit would
     absences = {effect: _explain_absence(effect, scene, at_rest=windows.basis.rows.at_rest) for effect in effects}
     shown = [effect for effect, reason in absences.items() if reason is None]
     in_twin = {term.effect.id for term in windows.held}  # in their plain shape
@@ -93,7 +95,8 @@ def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wi
 
 def fit_shapes(windows: Windows, tasks: list[Task], fit_all: FitAll) -> list[EffectFit]:
     """The tasks, each in its smaller shape, too, where there is one."""
-    return fit_all(windows, [*tasks, *(task._replace(smaller=True) for task in tasks if has_smaller(windows, task.effects))])
+    smaller = [task._replace(smaller=True) for task in tasks if any(find_smaller(windows, effect) for effect in task.effects)]
+    return fit_all(windows, [*tasks, *smaller])
 
 
 def _one_is_clear(nominal: EffectFit, fits: list[EffectFit]) -> bool:

@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from core.cell.folder import load_cell
 from core.effects.effect import Effect
-from core.effects.links import LinkLoads, Links
+from core.effects.link_loads import LazyLinkLoads, LinkLoads
 from core.effects.scene import Scene
 from core.payload.inertia import InertialParameters, Motion, regressor
 from core.robot.model import RobotModel
@@ -124,7 +124,7 @@ def brisk_scene() -> Scene:
     run = scene()
     arm = brisk_load(T) - np.einsum("nij,ni->nj", run.jacobian, run.nominal)
     links = LinkLoads(np.broadcast_to(ARM, (len(T), 7, 7)), arm, np.zeros((len(T), 3)))
-    return replace(run, torque=brisk_load(T), links=Links(lambda: links))
+    return replace(run, torque=brisk_load(T), links=LazyLinkLoads(lambda: links))
 
 
 def change(effect: Effect, theta: Array, run: Scene | None = None) -> Array:

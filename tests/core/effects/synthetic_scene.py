@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from core.effects.links import LinkLoads, Links
+from core.effects.link_loads import LazyLinkLoads, LinkLoads
 from core.effects.scene import Scene
 from core.payload.inertia import InertialParameters, Motion
 
@@ -56,7 +56,7 @@ def scene(*, rate: float = 100.0, seconds: float = 16.0, seed: int = 1) -> Scene
     )
     arm = 20.0 * np.sin(q)
     links = LinkLoads(np.zeros((len(t), 6, 6)), arm, 8.0 * (0.5 * position + [0.0, 0.0, 0.2]))
-    return replace(run, torque=np.einsum("nij,ni->nj", jacobian, run.nominal) + arm, links=Links(lambda: links))
+    return replace(run, torque=np.einsum("nij,ni->nj", jacobian, run.nominal) + arm, links=LazyLinkLoads(lambda: links))
 
 
 def forward(q: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

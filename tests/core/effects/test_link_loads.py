@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from core.effects.links import LinkLoads, Links
+from core.effects.link_loads import LazyLinkLoads, LinkLoads
 
 
 class Counted:
@@ -21,7 +21,7 @@ class Counted:
 
 def test_nothing_is_found_before_it_is_asked_for() -> None:
     find = Counted()
-    part = Links(find)[1:3]
+    part = LazyLinkLoads(find)[1:3]
     assert find.times == 0
     assert part.loads.torque.tolist() == [[1.0, 2.0], [2.0, 4.0]]
     assert find.times == 1
@@ -29,9 +29,18 @@ def test_nothing_is_found_before_it_is_asked_for() -> None:
 
 def test_all_parts_of_a_run_share_what_was_found_once() -> None:
     find = Counted()
-    links = Links(find)
+    links = LazyLinkLoads(find)
     first, second = links[:2], links[2:]
     loads = [first.loads, second.loads, first.loads]
     assert find.times == 1
     assert np.vstack([each.moment for each in loads[:2]]).tolist() == links.loads.moment.tolist()
     assert [each.inertia.shape for each in loads] == [(2, 2, 2)] * 3
+
+
+def test_what_is_found_beforehand_is_not_found_again() -> None:
+    find = Counted()
+    links = LazyLinkLoads(find)
+    links.find()
+    assert find.times == 1
+    assert links[:2].loads.moment.shape == (2, 3)
+    assert find.times == 1
