@@ -62,6 +62,9 @@ def test_the_help_looks_as_everything_does_and_leads_to_the_manual(at: Tablet):
     at.tap(page.locator(".manual nav").get_by_role("link", name="glossary"))
     expect(page.get_by_role("heading", name="Glossary")).to_be_visible()
     expect(page.get_by_role("row", name="protected zone Where people may be")).to_be_visible()
+    at.tap(page.locator(".manual nav").get_by_role("link", name="gap", exact=True))
+    at.tap(page.locator(".manual table").get_by_role("link", name="contacts"))
+    expect(page.locator(".manual [id='7-contacts-by-hand']")).to_be_in_viewport()
     show(at, "manual", "none-of-that-name")
     expect(page.get_by_role("heading", name="Page not found")).to_be_visible()
 

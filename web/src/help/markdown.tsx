@@ -1,5 +1,5 @@
 import type { ComponentChildren } from 'preact';
-import { to } from '../ui/route';
+import { route, to } from '../ui/route';
 
 /** Pictures, what stands in brackets and names only pictures, and sentences that name only pictures. */
 const PICTURES = [
@@ -134,7 +134,8 @@ function inline(text: string): ComponentChildren[] {
 
 /** Other pages of the manual are here; what stands only beside the sources is named and not linked. */
 function link(label: string, address: string): ComponentChildren {
-  const [, page, heading] = /^([\w-]+)\.md(?:#(.*))?$/.exec(address) ?? [];
+  const [, other, heading] = /^(?:([\w-]+)\.md)?(?:#(.*))?$/.exec(address) ?? [];
+  const page = other ?? (heading && route.value[1]);
   if (page) return <a href={to('manual', page, ...(heading ? [heading] : []))}>{inline(label)}</a>;
   return /^https:/.test(address) ? (
     <a href={address} rel="noreferrer" target="_blank">
