@@ -42,6 +42,8 @@ class Answer(BaseModel):
         minor: what was detected and is not material.
         tied: what could not be told apart.
         weighed: the nominal twin, then each fit; none where nothing could be fitted.
+        payload_off: the payload less the recording's reference, in standard uncertainties, of each parameter that is determined; none
+            without a reference or an answer.
         cpu: s.
     """
 
@@ -59,6 +61,7 @@ class Answer(BaseModel):
     minor: tuple[str, ...]
     tied: tuple[tuple[str, ...], ...]
     weighed: tuple[Weighed, ...] = ()
+    payload_off: tuple[float, ...] = ()
     cpu: float
 
     @property

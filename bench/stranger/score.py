@@ -9,9 +9,12 @@ from pathlib import Path
 from pydantic import BaseModel, ConfigDict
 
 from bench.stranger.answer import Answer
+from core.gap.answer import INTERVAL
 
 BESIDE = frozenset({"sensor_noise", "sensor_interference", "sensor_quantization", "sample_dropout", "payload_mismatch", "joint_friction"})
 """What is read off the recording beside the verdict on the wrench."""
+OTHER_PAYLOAD = frozenset({"payload_mass_change", "payload_mismatch", "payload_loose", "payload_shift"})
+"""Where these are planted, the recording's reference is not what the payload is throughout."""
 TRUTHS = "truth.json"
 """In a set's folder, by the number of its recordings."""
 NO_NAME = ("no_gap", "unknown")
@@ -79,10 +82,24 @@ def count_right(truths: Mapping[str, Planted], answers: Mapping[str, Answer]) ->
     return tally
 
 
+def count_held(truths: Mapping[str, Planted], answers: Mapping[str, Answer]) -> tuple[int, int]:
+    """Of the payload's parameters: how many 95 % intervals hold what they are, and how many there are; where nothing planted is known to
+    change it, so none of the causes that no effect describes count."""
+    same = [
+        answer
+        for case, answer in answers.items()
+        if truths[case].kind != "unknown" and not OTHER_PAYLOAD.intersection(truths[case].families)
+    ]
+    off = [abs(each) for answer in same for each in answer.payload_off]
+    return sum(each <= INTERVAL for each in off), len(off)
+
+
 def print_score(truths: Mapping[str, Planted], answers: Mapping[str, Answer]) -> None:
     """A line for each kind, then one for each answer that is not right."""
     for kind, (right, count) in count_right(truths, answers).items():
         print(f"{kind:22s}{right:4d} of {count}")
+    held, count = count_held(truths, answers)
+    print(f"{'payload intervals hold':22s}{held:4d} of {count}")
     for case, answer in sorted(answers.items()):
         if not is_right(truths[case], answer):
             print(_describe(case, truths[case], answer))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from bench.stranger.answer import Answer
-from bench.stranger.score import KINDS, Planted, count_right, find_kind, is_right
+from bench.stranger.score import KINDS, Planted, count_held, count_right, find_kind, is_right
 
 
 def planted(*families: str, kind: str = "single") -> Planted:
@@ -89,3 +89,10 @@ def test_answers_are_counted_by_kind() -> None:
     answers = {case: answer("explained", "sensor_gain") for case in truths}
     answers["005"] = answer("no_gap")
     assert list(count_right(truths, answers).values()) == [(2, 2), (0, 1), (0, 0), (0, 1), (1, 1)]
+
+
+def test_the_payloads_intervals_count_where_the_reference_is_what_it_is() -> None:
+    truths = {"001": planted("sensor_gain"), "002": planted("payload_shift"), "003": planted(kind="unknown"), "004": planted(kind="none")}
+    off = {"001": (0.5, -1.9, 2.0), "002": (9.0,), "003": (9.0,), "004": ()}
+    answers = {case: answer("unknown").model_copy(update={"payload_off": each}) for case, each in off.items()}
+    assert count_held(truths, answers) == (2, 3)
