@@ -8,7 +8,7 @@ from typing import Literal, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from core.lateness import Lateness
+from core.errors import Lateness
 from core.words.message import Message
 
 Told = TypeVar("Told")

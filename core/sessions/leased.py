@@ -17,8 +17,7 @@ from typing import Self
 import numpy as np
 
 from core.array import Array
-from core.errors import Commanded, ControlLost, Held, HoldExpired, Stopped
-from core.lateness import Cause, Lateness
+from core.errors import Cause, Commanded, ControlLost, Held, HoldExpired, Lateness, Stopped
 from core.sessions.session import RobotSession, RobotState
 from core.words.message import Message
 

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Literal
 
 from core.cell.cell import Box, Cell, Payload
+from core.errors import Lateness
 from core.estimation.result import Result
 from core.events import Event
-from core.lateness import Lateness
 from core.payload.shapes import StandingShape
 from core.planning.settings import WHOLE, Planner, Scope, Timing
 from core.planning.stop import Stop

@@ -15,9 +15,8 @@ from datetime import datetime
 from pathlib import Path
 
 from core.cell.cell import Cell
-from core.errors import Commanded, HoldExpired
+from core.errors import Cause, Commanded, HoldExpired, Lateness
 from core.events import Event, PhaseStarted, Progress, RobotStopped, StepFinished
-from core.lateness import Cause, Lateness
 from core.sessions.leased import Renewal
 from core.words.message import Message
 from server.http.errors import StoreUnavailable

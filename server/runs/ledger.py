@@ -13,9 +13,9 @@ from sqlalchemy import inspect, select
 from sqlalchemy.orm import Session
 
 from core.cell.cell import Payload
+from core.errors import Lateness
 from core.estimation.result import Result
 from core.events import Event
-from core.lateness import Lateness
 from core.words.message import Message
 from server.http.errors import Conflict, NotFound
 from server.runner.plan_schemas import PlanHash

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from core.errors import ControlLost, HeftError, slug
-from core.lateness import Cause, Lateness
+from core.errors import Cause, ControlLost, HeftError, Lateness, slug
 from core.words.message import Message
 from server.runner.messages import Failed
 from server.runs.tables import JobRow, RunRow

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field, StringConstraints
 
-from core.lateness import Lateness
+from core.errors import Lateness
 from core.payload.shapes import Angle, Box
 from core.planning.settings import MAX_EFFORT, Planner, Scope
 from core.planning.stop import Stop

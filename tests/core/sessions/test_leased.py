@@ -13,8 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from core.cell.folder import load_cell
-from core.errors import BadState, Commanded, ControlLost, Held, HoldExpired, OutOfLimits, TooFast
-from core.lateness import Cause, Lateness
+from core.errors import BadState, Cause, Commanded, ControlLost, Held, HoldExpired, Lateness, OutOfLimits, TooFast
 from core.sessions.leased import FUTURE_S, LATE, LEASE_S, SERVICE_S, Lease, LeasedSession, Renewal, is_stopped
 from core.sessions.simulated import SimulatedSession
 from core.words import catalogue

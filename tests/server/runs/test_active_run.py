@@ -13,8 +13,8 @@ from sqlalchemy.exc import OperationalError
 from starlette.testclient import WebSocketDenialResponse
 from starlette.websockets import WebSocketDisconnect
 
+from core.errors import Cause
 from core.events import PhaseStarted, RobotStopped, StepFinished
-from core.lateness import Cause
 from core.planning.summary import PlanSummary
 from core.sessions.leased import LEASE_S, Renewal
 from server.people.roles import Role

@@ -13,8 +13,8 @@ from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule, run_state_machine_as_test
 
+from core.errors import Cause, Lateness
 from core.events import PhaseStarted, RobotStopped
-from core.lateness import Cause, Lateness
 from core.planning.summary import PlanSummary
 from core.sessions.leased import LEASE_S, Renewal
 from server.people.roles import Role
