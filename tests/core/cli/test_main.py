@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import io
 import json
+import os
+import pty
 import re
 import signal
 import subprocess
 import sys
-import time
 
 import pytest
 
@@ -114,13 +116,21 @@ def test_identify_sees_no_payload_in_the_joint_torques_of_an_arm_without_one():
 def test_ctrl_c_stops_the_robot_and_leaves_a_readable_recording(tmp_path):
     out = tmp_path / "cut"
     command = [sys.executable, "-m", "core.cli", "run", "lwr4_bench", "--real-time", "--out", str(out)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT) as process:
-        time.sleep(20)
+    screen, terminal = pty.openpty()  # progress is shown on terminals alone
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=terminal, cwd=ROOT) as process, os.fdopen(screen, "rb", 0) as shown:
+        os.close(terminal)
+        read_until(shown, r"transfer.* 3%")
         process.send_signal(signal.SIGTERM)
-        _, message = process.communicate(timeout=60)
-    assert process.returncode == 130
-    assert "the robot was stopped" in message
+        read_until(shown, r"the robot was stopped")
+        assert process.wait(timeout=60) == 130
     assert len(read_recording(out)) > 100
+
+
+def read_until(shown: io.FileIO, pattern: str) -> None:
+    """Until it stands there, in whatever colours; OSError where the program ends before."""
+    text = ""
+    while not re.search(pattern, re.sub(r"\x1b\[[\d;?]*\w|\s+", " ", text)):
+        text += shown.read(4096).decode(errors="replace")
 
 
 def test_a_plan_begins_where_it_is_told_to_and_leaves_its_set_points_in_a_file(tmp_path):
