@@ -13,8 +13,10 @@ from core.gap.answer import INTERVAL
 
 BESIDE = frozenset({"sensor_noise", "sensor_interference", "sensor_quantization", "sample_dropout", "payload_mismatch", "joint_friction"})
 """What is read off the recording beside the verdict on the wrench."""
-OTHER_PAYLOAD = frozenset({"payload_mass_change", "payload_mismatch", "payload_loose", "payload_shift"})
-"""Where these are planted, the recording's reference is not what the payload is throughout."""
+OTHER_PAYLOAD = frozenset(
+    {"payload_mass_change", "payload_mismatch", "payload_loose", "payload_shift", "sensor_rotation", "sensor_translation"}
+)
+"""Where these are planted, the recording's reference is not what the payload is throughout, in axes that both mean."""
 TRUTHS = "truth.json"
 """In a set's folder, by the number of its recordings."""
 NO_NAME = ("no_gap", "unknown")
@@ -94,12 +96,16 @@ def count_held(truths: Mapping[str, Planted], answers: Mapping[str, Answer]) -> 
     return sum(each <= INTERVAL for each in off), len(off)
 
 
+def print_held(truths: Mapping[str, Planted], answers: Mapping[str, Answer]) -> None:
+    """A line on the payload's intervals, where the recordings' references are what their payloads are."""
+    held, count = count_held(truths, answers)
+    print(f"95 % intervals of the payload hold {held} of {count} parameters")
+
+
 def print_score(truths: Mapping[str, Planted], answers: Mapping[str, Answer]) -> None:
     """A line for each kind, then one for each answer that is not right."""
     for kind, (right, count) in count_right(truths, answers).items():
         print(f"{kind:22s}{right:4d} of {count}")
-    held, count = count_held(truths, answers)
-    print(f"{'payload intervals hold':22s}{held:4d} of {count}")
     for case, answer in sorted(answers.items()):
         if not is_right(truths[case], answer):
             print(_describe(case, truths[case], answer))
