@@ -9,7 +9,6 @@ from pathlib import Path
 from pydantic import BaseModel, ConfigDict
 
 from bench.stranger.answer import Answer
-from core.gap.answer import INTERVAL
 
 BESIDE = frozenset({"sensor_noise", "sensor_interference", "sensor_quantization", "sample_dropout", "payload_mismatch", "joint_friction"})
 """What is read off the recording beside the verdict on the wrench."""
@@ -17,6 +16,8 @@ OTHER_PAYLOAD = frozenset(
     {"payload_mass_change", "payload_mismatch", "payload_loose", "payload_shift", "sensor_rotation", "sensor_translation"}
 )
 """Where these are planted, the recording's reference is not what the payload is throughout, in axes that both mean."""
+HELD_STD = 1.96
+"""Half of a 95 % interval, in standard uncertainties."""
 TRUTHS = "truth.json"
 """In a set's folder, by the number of its recordings."""
 NO_NAME = ("no_gap", "unknown")
@@ -93,7 +94,7 @@ def count_held(truths: Mapping[str, Planted], answers: Mapping[str, Answer]) -> 
         if truths[case].kind != "unknown" and not OTHER_PAYLOAD.intersection(truths[case].families)
     ]
     off = [abs(each) for answer in same for each in answer.payload_off]
-    return sum(each <= INTERVAL for each in off), len(off)
+    return sum(each <= HELD_STD for each in off), len(off)
 
 
 def print_held(truths: Mapping[str, Planted], answers: Mapping[str, Answer]) -> None:
