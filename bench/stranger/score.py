@@ -12,10 +12,9 @@ from bench.stranger.answer import Answer
 
 BESIDE = frozenset({"sensor_noise", "sensor_interference", "sensor_quantization", "sample_dropout", "payload_mismatch", "joint_friction"})
 """What is read off the recording beside the verdict on the wrench."""
-OTHER_PAYLOAD = frozenset(
-    {"payload_mass_change", "payload_mismatch", "payload_loose", "payload_shift", "sensor_rotation", "sensor_translation"}
-)
-"""Where these are planted, the recording's reference is not what the payload is throughout, in axes that both mean."""
+OTHER_PAYLOAD = frozenset({"payload_mass_change", "payload_mismatch", "payload_loose", "payload_shift", "sensor_rotation"})
+"""Where these are planted, the recording's reference is not what the payload is throughout, or is in the axes that the sensor should have:
+strangers differ in that."""
 HELD_STD = 1.96
 """Half of a 95 % interval, in standard uncertainties."""
 TRUTHS = "truth.json"
