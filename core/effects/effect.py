@@ -69,6 +69,8 @@ class Effect(ABC):
     """How many of its starting values a fit follows to the end: more than the best one where steps and kinks make many valleys."""
     only_adds: ClassVar[bool] = False
     """Whether what it adds to the wrench does not depend on that wrench, so that noise in it passes as it is."""
+    moves_payload: ClassVar[bool] = False
+    """Whether what the payload asks for comes out of it so changed that its share in each row has to be worked out behind the effect."""
     jumps: ClassVar[bool] = False
     """Whether the least change of the load can make it jump."""
     needs_motion: ClassVar[bool] = False

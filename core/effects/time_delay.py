@@ -21,7 +21,7 @@ class TimeDelay(Effect):
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """The delay, s."""
-        return (Parameter("delay_s", "s", 0.0, 0.0, 0.1, 0.02),)
+        return (Parameter("delay_s", "s", 0.0, 0.0, 0.2, 0.02),)
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w(t - tau)`, by a quintic between samples."""

@@ -157,8 +157,9 @@ def _finish(problem: Problem, beta: Array, theta: Array) -> EffectFit:
     if problem.effects or problem.held:
         rows, J = problem.linearise(theta, beta[PHI])
     r = problem.target - problem.X @ beta - rows
-    normal = problem.normal(J)
-    columns = np.column_stack((problem.X, J))
+    X = problem.columns(theta, beta[PHI])
+    normal = problem.normal(X, J)
+    columns = np.column_stack((X, J))
     cost = problem.cost(beta, theta)
     log_evidence = -0.5 * cost - 0.5 * float(np.linalg.slogdet(normal)[1] - np.log(problem.precision).sum())
     here = np.concatenate((beta, theta))

@@ -48,7 +48,8 @@ class Look(NamedTuple):
         first = self.first
         known = Problem(windows, first.effects)
         J = known.linearise(first.theta, first.phi)[1]
-        columns, normal = np.column_stack((known.X, J)), known.normal(J)
+        X = known.columns(first.theta, first.phi)
+        columns, normal = np.column_stack((X, J)), known.normal(X, J)
         scene = windows.basis.scene.with_phi(first.phi)
         residual = windows.on_grid(first.residual)
         found = (

@@ -15,6 +15,7 @@ from core.array import Array
 from core.effects.effect import STAGES, Effect, Parameter
 from core.effects.scene import Scene
 from core.estimation.quadratic import find_bounded_minimum
+from core.gap.limits import sizes
 from core.gap.windows import PHI, Windows
 
 PRIOR_WIDTH = 2.0
@@ -168,21 +169,36 @@ class Problem:
         away = np.concatenate((beta, theta - self.absent))
         return float(r @ r + away @ (self.precision * away))
 
-    def normal(self, J: Array) -> Array:
+    def columns(self, theta: Array, phi: Array) -> Array:
+        """(6K, m), derivatives of the rows by beta: small imperfections and offsets as they are, and so the payload, unless an effect moves
+        it."""
+        if not any(effect.moves_payload for effect, *_ in self._chain):
+            return self.X
+        X, scene = self.X.copy(), self.windows.basis.scene
+        here = self.windows.row_of(self.change(theta, scene.with_phi(phi)))
+        for k, size in enumerate(sizes(phi)):
+            step = STEP * (size or 1.0)
+            moved = scene.with_phi(phi + step * np.eye(len(phi))[k])
+            X[:, k] += (self.windows.row_of(self.change(theta, moved)) - here) / step
+        return X
+
+    def normal(self, X: Array, J: Array) -> Array:
         """Normal matrix of beta and theta, with priors."""
-        XJ = self.X.T @ J
-        return np.block([[self.XX, XJ], [XJ.T, J.T @ J]]) + np.diag(self.precision)
+        XJ = X.T @ J
+        XX = self.XX if X is self.X else X.T @ X
+        return np.block([[XX, XJ], [XJ.T, J.T @ J]]) + np.diag(self.precision)
 
     def step(self, beta: Array, theta: Array, damping: float) -> tuple[Array, Array]:
         """One damped step."""
         rows, J = self.linearise(theta, beta[PHI])
+        X = self.columns(theta, beta[PHI])
         r = self.target - self.X @ beta - rows
         right = np.concatenate(
-            (self.X.T @ r - self.precision[: len(beta)] * beta, J.T @ r - self.precision[len(beta) :] * (theta - self.absent))
+            (X.T @ r - self.precision[: len(beta)] * beta, J.T @ r - self.precision[len(beta) :] * (theta - self.absent))
         )
         # what shows in nothing stays: its prior alone would take the time of a jump out of the gap in which it happened
         right[len(beta) :][~J.any(axis=0)] = 0.0
-        normal = self.normal(J)
+        normal = self.normal(X, J)
         normal[np.diag_indices_from(normal)] *= 1.0 + damping
         here = np.concatenate((beta, theta))
         room = self.bounds - here

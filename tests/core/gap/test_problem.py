@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from core.effects.delay_of_clocks import DelayOfClocks
 from core.effects.payload_shift import PayloadShift
 from core.effects.sensor_offset_step import SensorOffsetStep
 from core.effects.time_delay import TimeDelay
@@ -35,6 +36,17 @@ def test_derivatives_are_those_of_the_point_that_is_asked_for_wherever_the_last_
     later = here + step * np.eye(len(here))[-1]
     slope = (problem.linearise(later, phi)[0] - problem.linearise(here, phi)[0]) / step
     np.testing.assert_allclose(slope, problem.linearise(here, phi)[1][:, -1], rtol=0.02, atol=0.02 * np.abs(slope).max())
+
+
+def test_the_payloads_share_in_each_row_is_that_behind_an_effect_which_moves_it() -> None:
+    recording = record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(0))
+    windows = Windows(basis_of(recording))
+    problem, late, phi = Problem(windows, (DelayOfClocks(),)), np.array([0.3]), windows.phi
+    heavier = phi + 0.01 * phi[0] * np.eye(10)[0]
+    grown = problem.linearise(late, heavier)[0] - problem.linearise(late, phi)[0] + problem.X[:, :10] @ (heavier - phi)
+    np.testing.assert_allclose(problem.columns(late, phi)[:, :10] @ (heavier - phi), grown, atol=1e-6 * np.abs(grown).max())
+    assert np.abs(problem.columns(late, phi)[:, 0] - problem.X[:, 0]).max() > 0.1 * np.abs(problem.X[:, 0]).max()
+    assert Problem(windows, (TimeDelay(),)).columns(np.array([0.01]), phi) is problem.X
 
 
 def test_a_jump_that_nobody_saw_is_fitted_where_it_may_have_been() -> None:

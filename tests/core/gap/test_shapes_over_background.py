@@ -23,7 +23,7 @@ from core.gap.effect_fit import fit_nominal
 from core.gap.fit_all import one_by_one
 from core.gap.windows import Windows
 from core.recording.recording import Recording
-from tests.synthetic import Run, payload, record, run_of
+from tests.synthetic import Run, payload, record, run_of, wrench_of
 
 Array = np.ndarray
 ZEROS_DEG = 0.01
@@ -235,6 +235,19 @@ def test_a_buffer_that_slips_shows_beside_the_delay_that_it_has_on_the_whole(run
     assert found["growth_s_per_s"] == pytest.approx(swing_s / cycle_s, rel=0.1)
     assert found["delay_s"] == pytest.approx(0.02, abs=0.001)
     assert "every" in diagnosis.effects[0].advice.text
+
+
+@pytest.mark.parametrize("late_s", [0.13, 0.4, 0.85])
+def test_clocks_that_differ_by_tenths_of_a_second_are_a_delay(run: Run, late_s: float) -> None:
+    recording, _ = recorded(run, 12)
+    load = wrench_of(run, payload("steel_block"))
+    come = CubicSpline(run.t, load)(np.maximum(run.t - late_s, run.t[0]))
+    diagnosis = explain(
+        replace(recording, wrench=recording.wrench + come - load), "time_delay", "sensor_lowpass", "external_contact", "sensor_drift"
+    )
+    assert (diagnosis.verdict, [effect.id for effect in diagnosis.effects][:1]) == ("explained", ["time_delay"])
+    assert diagnosis.effects[0].parameters["delay_s"].value == pytest.approx(late_s, abs=0.001)
+    assert diagnosis.gap.after < 1.05
 
 
 def slide(run: Run, axis: Array, half_m: float, dry: float) -> Array:
