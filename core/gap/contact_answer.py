@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from core.effects.effect import Effect
 from core.effects.external_contact import ExternalContact
 from core.effects.parameter_title import find_title
-from core.gap.answer import ContactPart, Diagnosis, Explanation, Pair, PayloadPart, Value, Where
+from core.gap.answer import ContactPart, Diagnosis, Explanation, Pair, PayloadPart, PhiPart, Value, Where
 from core.gap.answering import OPEN, answer, describe_gap, describe_payload, describe_values, with_likely
 from core.gap.attribution import Attribution, probabilities
 from core.gap.closure import closure_of, gap_of
@@ -22,6 +22,7 @@ from core.gap.effect_fit import EffectFit
 from core.gap.evidence import EXPLAINED, Evidence, join
 from core.gap.fit_all import FitAll
 from core.gap.materiality import payload_shift
+from core.gap.payload_after import describe_average
 from core.gap.problem import Problem
 from core.gap.singles import Singles, fit_again, fit_singly
 from core.gap.symptoms import find_leading
@@ -43,7 +44,7 @@ class Touched:
 
     Args:
         rest: evidence of the rows that nothing touched.
-        alone: the nominal twin fitted to the rest, on all rows: those of the contacts count as explained.
+        alone: the nominal twin fitted to the rest, on all rows: of those of the contacts as much is left as of the rest.
         beside: the same with each single effect that may explain the rest, and how probable it is there, the most probable first; none
             where nothing has to, or several effects do.
         probability: that this is why there is a gap.
@@ -147,10 +148,10 @@ def _doubt(nominal: EffectFit, rest: EffectFit) -> tuple[float, float]:
 
 
 def _carry_over(windows: Windows, fit: EffectFit, free: NDArray[np.bool_]) -> EffectFit:
-    """A fit to the free rows (K,), on all of them."""
+    """A fit to the free rows (K,), on all of them; what a contact took up counts as what the fit leaves of the rest."""
     problem, shape = Problem(windows, fit.effects), windows.target.shape
     change = problem.linearise(fit.theta, fit.phi)[0].reshape(shape) if fit.effects or problem.held else np.zeros(shape)
-    held_out = np.ones(shape)
+    held_out = np.repeat(fit.held_out.mean(axis=1, keepdims=True), shape[1], axis=1)
     held_out[:, free] = fit.held_out
     return replace(fit, residual=windows.target - windows.X @ fit.beta - change, held_out=held_out, change=change)
 
@@ -185,13 +186,18 @@ def answer_touched(recording: Recording, evidence: Evidence, touched: Touched) -
             "indistinguishable": [],
             "where": None if whole.where is None else _place(whole.where, touched),
             "gap": describe_gap(shown),
-            "payload": PayloadPart(before=describe_payload(evidence.nominal), after=describe_payload(touched.best)),
+            "payload": PayloadPart(before=describe_payload(evidence.nominal), after=_describe_payload(evidence.nominal, touched)),
             "consequence": payload_shift(evidence.nominal, replace(touched.best, effects=(CONTACT,))),
             "next_experiment": None,
             "limits": [Message.of("gap-contacts-left-out", share=1.0 - float(touched.contacts.free.mean())), *rest.limits],
         }
     )
     return with_likely(told)
+
+
+def _describe_payload(nominal: EffectFit, touched: Touched) -> PhiPart:
+    """Of the rest, over what may explain it."""
+    return describe_average(nominal, touched.beside or [(touched.alone, 1.0)], read_figures().widened)
 
 
 def _summarise(touched: Touched) -> Message:

@@ -12,12 +12,15 @@ did. And no model has quite the shape of its cause: by how much all that has to 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from scipy.special import ndtr
 
 from core.array import Array
 from core.estimation.determination import find_determined
 from core.gap.answer import INTERVAL, PhiPart
+from core.gap.effect_fit import EffectFit
 from core.gap.evidence import Evidence
 from core.gap.weighing import find_left_share, read_figures
 
@@ -34,19 +37,18 @@ BELOW = np.linspace(0.0, 1.0 - HELD, 101)
 def describe_payload_after(evidence: Evidence) -> PhiPart:
     """The payload with the middles of the intervals as values; that of the nominal twin where no effect is probable."""
     nominal = evidence.nominal
-    if evidence.best.effects:
-        fits, p = zip(*evidence.attribution.explained, (nominal, evidence.attribution.none), strict=True)
-        phi, std = average(
-            np.array(p),
-            np.array([fit.phi for fit in fits]),
-            np.array([fit.phi_std for fit in fits]),
-            np.array([find_left_share(nominal, fit) for fit in fits]),
-            nominal.phi,
-            read_figures().widened if evidence.material else 1.0,
-        )
-    else:
-        phi, std = nominal.phi, nominal.phi_std
-    return describe_phi(phi, std)
+    if not evidence.best.effects:
+        return describe_phi(nominal.phi, nominal.phi_std)
+    explained = [*evidence.attribution.explained, (nominal, evidence.attribution.none)]
+    return describe_average(nominal, explained, read_figures().widened if evidence.material else 1.0)
+
+
+def describe_average(nominal: EffectFit, explained: Sequence[tuple[EffectFit, float]], widened: float) -> PhiPart:
+    """The payload of several explanations of what the nominal twin leaves, each with its probability (see `average`)."""
+    fits, p = zip(*explained, strict=True)
+    left = np.array([find_left_share(nominal, fit) for fit in fits])
+    phi, std = (np.array([getattr(fit, name) for fit in fits]) for name in ("phi", "phi_std"))
+    return describe_phi(*average(np.array(p), phi, std, left, nominal.phi, widened))
 
 
 def describe_phi(phi: Array, std: Array) -> PhiPart:

@@ -235,6 +235,9 @@ def test_what_may_explain_the_rest_is_told_with_each_of_its_names(pushed_and_til
     assert told.verdict == "ambiguous"
     assert " or " in told.summary.text
     assert told.instruction.level == "ask"  # no motion makes somebody push again
+    masses = [fit.phi[0] for fit, _ in touched.beside]
+    assert min(masses) < told.payload.after.phi[0] < max(masses), "between what the two make of it"
+    assert told.payload.after.std[0] > 1.2 * min(fit.phi_std[0] for fit, _ in touched.beside)
 
 
 @pytest.mark.parametrize("apart_s", [0.05, 0.8])

@@ -11,12 +11,7 @@ from scipy.spatial.transform import Rotation, Slerp
 
 from core.effects.effect import Effect
 from core.effects.library import library
-from core.gap.basis import basis_of
-from core.gap.contacts import find_contacts
 from core.gap.diagnosis import diagnose
-from core.gap.effect_fit import fit_nominal
-from core.gap.symptoms import observe_symptoms
-from core.gap.windows import Windows
 from core.recording.recording import Recording
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
@@ -63,6 +58,8 @@ def test_a_hand_on_the_tool_is_named_with_its_time_and_the_payload_is_that_of_th
     before, after = (abs(payload.phi[0] - 0.932) for payload in (diagnosis.payload.before, diagnosis.payload.after))
     assert after < 0.03
     assert before > 0.09
+    assert diagnosis.gap.after == pytest.approx(2.4, abs=0.2), "of what nobody touched, as the summary says it"
+    assert "2.4" in diagnosis.summary.text
 
 
 def test_a_run_in_which_nothing_happened_has_no_gap_that_matters_and_nothing_beside() -> None:
@@ -73,14 +70,12 @@ def test_a_run_in_which_nothing_happened_has_no_gap_that_matters_and_nothing_bes
 
 
 def test_blows_of_a_hammer_are_a_vibration_with_the_frequency_that_their_author_states_and_no_contact() -> None:
-    recording = kuka("2-vibrations")
-    windows = Windows(basis_of(recording))
-    nominal = fit_nominal(windows)
-    seen = {each.id: each for each in observe_symptoms(recording, windows, nominal, nominal, nominal) if each.material}
-    assert set(seen) == {"structure_vibration"}
-    vibration = seen["structure_vibration"]
+    diagnosis = diagnose(kuka("2-vibrations"), RIVALS)
+    assert diagnosis.verdict == "no_gap"
+    assert not diagnosis.where.contacts
+    (vibration,) = [each for each in diagnosis.also if each.material]
+    assert vibration.id == "structure_vibration"
     assert vibration.parameters["frequency_hz"].value == pytest.approx(12.0, abs=0.3)
-    assert find_contacts(windows, nominal) is None
 
 
 @pytest.mark.parametrize("effects", [RIVALS, pytest.param(library(), marks=pytest.mark.thorough)], ids=["rivals", "whole library"])
