@@ -15,7 +15,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from core.words.message import Message
 
 if TYPE_CHECKING:
-    from core.gap.answer import Also, Diagnosis, Value
+    from core.gap.answer import Also, Diagnosis, Explanation, Value
 
 Level = Literal["nothing", "act", "measure", "ask"]
 """Nothing to do; something that a person at the robot can do; measure once more; it takes an engineer."""
@@ -172,8 +172,7 @@ def _lead(said: list[Said], at_s: float | None = None) -> Instruction:
 
 def _settle(diagnosis: Diagnosis, beside: list[Said]) -> Instruction:
     """Measure once more where the robot has a motion that settles it; ask an engineer where it has none."""
-    titles = {effect.id: effect.title for effect in diagnosis.effects}
-    names = [reduce(_and, [titles[name] for name in ids if name in titles]) for ids in find_open(diagnosis)]
+    names = [reduce(_and, [find_effect_title(name, diagnosis) for name in ids]) for ids in find_open(diagnosis)]
     effects = reduce(lambda first, second: Message.of("effect-or", first=first, second=second), names)
     motion = diagnosis.next_experiment
     if motion is not None and motion.planned:
@@ -181,6 +180,19 @@ def _settle(diagnosis: Diagnosis, beside: list[Said]) -> Instruction:
     else:
         first = Said("ask", Message.of("instruction-not-settled"), Message.of("instruction-not-settled-next", effects=effects))
     return _lead([first, *beside])
+
+
+def find_effect_title(name: str, diagnosis: Diagnosis) -> Message:
+    """What an effect is called: as the diagnosis has it, else as the library does; one that neither has is said as it is."""
+    told: list[Explanation | Also] = [*diagnosis.effects, *diagnosis.also]
+    if titles := [each.title for each in told if each.id == name]:
+        return titles[0]
+    from core.effects.library import find_effect  # noqa: PLC0415  numerics, for what was fitted beside another alone
+
+    try:
+        return find_effect(name).title
+    except KeyError:
+        return Message.of("text", text=name.replace("_", " "))
 
 
 def _and(first: Message, second: Message) -> Message:
@@ -233,7 +245,7 @@ def _say(name: str, values: Values, diagnosis: Diagnosis) -> Said:
         return FIXED[name]
     if name in SIZED:
         return SIZED[name](values, _clock(_when(name, values, diagnosis)))
-    title = Message.of("text", text=name.replace("_", " "))
+    title = find_effect_title(name, diagnosis)
     return Said("ask", Message.of("instruction-other", effect=title), Message.of("instruction-other-next"))
 
 

@@ -11,7 +11,7 @@ from pydantic import Field
 from core.cell.kinematics import is_same_robot
 from core.errors import BadInput
 from core.gap.answer import Also, Diagnosis, DiagnosisPart, Explanation, Minor, Value, Verdict
-from core.gap.instruction import find_open, rank_explanations
+from core.gap.instruction import find_effect_title, find_open, rank_explanations
 from core.words.message import Message
 
 State = Literal["present", "possible", "minor", "absent", "unclear"]
@@ -22,11 +22,11 @@ class Sighting(DiagnosisPart):
 
     state: State = Field(
         description="`present`: named by the verdict. `possible`: one of several between which this recording does not decide. "
-        "`minor`: detected, but not material. `absent`: not seen, or too small to matter. `unclear`: this recording cannot show it, or "
-        "has a gap that nothing explains.",
+        "`minor`: detected, but not material. `absent`: not seen, or too small to matter. `unclear`: this recording cannot show it, "
+        "names others beside which it may be missed, or has a gap that nothing explains.",
         examples=["present"],
     )
-    parameters: dict[str, Value] = Field(description="Its fitted parameters by name; empty where nothing was fitted.")
+    parameters: dict[str, Value] = Field(description="Its fitted parameters by name; empty where nothing was fitted, or others are named.")
 
 
 class Onset(DiagnosisPart):
@@ -71,7 +71,7 @@ def trace_effects(names: Sequence[str], diagnoses: Sequence[Diagnosis]) -> Timel
     """Follows every effect that any of the diagnoses names through all of them.
 
     An effect that was there in one recording and not in the one before came between the two. A recording that leaves it open widens the
-    time; it decides nothing.
+    time; it decides nothing. So does one that names others: only where no gap matters, an effect that is not seen is not there.
 
     Args:
         names: of the recordings. diagnoses: of the same, in the order in which the recordings were made.
@@ -109,8 +109,7 @@ def check_comparable(names: Sequence[str], diagnoses: Sequence[Diagnosis]) -> No
 
 def _find_named(diagnosis: Diagnosis) -> Iterator[tuple[str, Message]]:
     """Everything that its verdict names, and what it sees elsewhere that matters."""
-    titles = {effect.id: effect.title for effect in diagnosis.effects}
-    yield from ((name, titles.get(name, Message.of("text", text=name))) for name in (*_present(diagnosis), *_possible(diagnosis)))
+    yield from ((name, find_effect_title(name, diagnosis)) for name in (*_present(diagnosis), *_possible(diagnosis)))
     yield from ((also.id, also.title) for also in diagnosis.also if also.material)
 
 
@@ -128,8 +127,15 @@ def _possible(diagnosis: Diagnosis) -> tuple[str, ...]:
 
 
 def _trace(name: str, title: Message, names: Sequence[str], diagnoses: Sequence[Diagnosis]) -> EffectTimeline:
-    sightings = [Sighting(state=_state_of(name, d), parameters=_parameters_of(name, d)) for d in diagnoses]
+    sightings = [_see(name, d) for d in diagnoses]
     return EffectTimeline(id=name, title=title, sightings=sightings, onsets=list(_find_onsets(title, names, sightings)))
+
+
+def _see(name: str, diagnosis: Diagnosis) -> Sighting:
+    state = _state_of(name, diagnosis)
+    # fitted by itself it takes up what the verdict gives to others: that is no size of it
+    rejected = state == "unclear" and diagnosis.verdict == "explained"
+    return Sighting(state=state, parameters={} if rejected else _parameters_of(name, diagnosis))
 
 
 def _state_of(name: str, diagnosis: Diagnosis) -> State:
@@ -143,8 +149,8 @@ def _state_of(name: str, diagnosis: Diagnosis) -> State:
     if any(minor.id == name for minor in diagnosis.minor):
         return "minor"
     hidden = any(limit.parameters.get("effect") == name for limit in diagnosis.limits)
-    # where a recording decides between other effects only, this one may still be there, too small beside them
-    return "unclear" if hidden or diagnosis.verdict in ("unknown", "not_enough", "ambiguous") else "absent"
+    # where a recording names other effects, or decides between them only, this one may still be there, missed beside them
+    return "absent" if diagnosis.verdict == "no_gap" and not hidden else "unclear"
 
 
 def _parameters_of(name: str, diagnosis: Diagnosis) -> dict[str, Value]:

@@ -9855,14 +9855,14 @@ export interface components {
         Sighting: {
             /**
              * State
-             * @description `present`: named by the verdict. `possible`: one of several between which this recording does not decide. `minor`: detected, but not material. `absent`: not seen, or too small to matter. `unclear`: this recording cannot show it, or has a gap that nothing explains.
+             * @description `present`: named by the verdict. `possible`: one of several between which this recording does not decide. `minor`: detected, but not material. `absent`: not seen, or too small to matter. `unclear`: this recording cannot show it, names others beside which it may be missed, or has a gap that nothing explains.
              * @example present
              * @enum {string}
              */
             state: "present" | "possible" | "minor" | "absent" | "unclear";
             /**
              * Parameters
-             * @description Its fitted parameters by name; empty where nothing was fitted.
+             * @description Its fitted parameters by name; empty where nothing was fitted, or others are named.
              */
             parameters: {
                 [key: string]: components["schemas"]["Value"];

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from core.effects.library import library, symptoms
-from core.gap.answer import Also, Diagnosis, Experiment, Explanation, Origin, Value
+from core.gap.answer import Also, Diagnosis, Experiment, Explanation, Origin, Pair, Value
 from core.gap.instruction import explains
 from core.words.catalogue import LANGUAGES
 from core.words.message import Message
@@ -29,6 +29,11 @@ def seen(name: str, side: str, *, material: bool = True) -> Also:
     text = Message.of("text", text=name)
     words = {"title": text, "message": text, "advice": text}
     return Also.model_validate({"id": name, "side": side, "parameters": {}, "times_expected": 2.0, "material": material, **words})
+
+
+def several(*names: str, probability: float = 0.95) -> Pair:
+    """Effects that explain the gap together."""
+    return Pair(ids=names, probability=probability, gap_after=1.0, closure=0.99)
 
 
 def diagnosis(verdict: str, **changes: object) -> Diagnosis:
@@ -101,6 +106,22 @@ def test_what_is_not_settled_asks_for_the_motion_only_where_it_is_planned(planne
     assert told.sentence.text.startswith(sentence)
     assert "a base that is not level or joint encoders whose zero is off" in told.next.text
     assert "delay" not in told.next.text
+
+
+@pytest.mark.parametrize("alone", [[], ["time_delay"]])
+def test_an_effect_that_was_fitted_beside_others_alone_has_its_title_where_nothing_is_settled(alone: list[str]) -> None:
+    pairs = [several("time_delay", "sensor_saturation", probability=0.5), several("time_delay", "base_tilt", probability=0.4)]
+    told = diagnosis("ambiguous", effects=[found(name, 0.01) for name in alone], pairs=pairs).instruction
+    late = "a delay of the wrench against the joints"
+    assert f"{late} and clipping of the sensor or {late} and a base that is not level" in told.next.text
+    assert "Begrenzung des Sensors" in told.next.say("de")
+
+
+def test_an_effect_without_words_has_the_title_that_its_diagnosis_gives_it_or_its_name() -> None:
+    title = Message.of("text", text="a made-up effect")
+    alone = diagnosis("explained", effects=[found("made_up").model_copy(update={"title": title})]).instruction
+    beside = diagnosis("explained", pairs=[several("made_up", "base_tilt")]).instruction
+    assert [told.sentence.text for told in (alone, beside)] == ["Ask an engineer: a made-up effect", "Ask an engineer: made up"]
 
 
 def test_what_shakes_the_robot_is_stopped_before_an_engineer_looks_for_an_unknown_cause() -> None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from core.errors import BadInput
-from core.gap.answer import Diagnosis, Minor, Origin, Pair, Tied
+from core.gap.answer import Diagnosis, Minor, Origin, Tied
 from core.gap.timeline import EffectTimeline, trace_effects
 from core.words.message import Message
-from tests.core.gap.test_instruction import diagnosis, found, seen
+from tests.core.gap.test_instruction import diagnosis, found, seen, several
 
 DELAY, TILT = "time_delay", "base_tilt"
 WEEKS = ["week 1", "week 2", "week 3", "week 4"]
@@ -17,6 +17,14 @@ NOTHING = diagnosis("no_gap")
 
 def late(delay_s: float = 0.005) -> Diagnosis:
     return diagnosis("explained", effects=[found(DELAY, delay_s=delay_s)])
+
+
+def tilted() -> Diagnosis:
+    return diagnosis("explained", effects=[found(TILT)])
+
+
+def minor(name: str, **values: float) -> Minor:
+    return Minor(id=name, parameters=found(name, **values).parameters, message=Message.of("gap-minor"))
 
 
 def open_between(*names: str) -> Diagnosis:
@@ -66,16 +74,42 @@ def test_a_tied_effect_is_possible_however_improbable() -> None:
 
 def test_both_of_a_pair_are_there_with_their_own_values() -> None:
     parameters = {name: found(name, **{"size": size}).parameters for name, size in ((DELAY, 1.0), (TILT, 2.0))}
-    pair = Pair(ids=(DELAY, TILT), probability=0.9, gap_after=1.0, closure=0.99, parameters=parameters)
+    pair = several(DELAY, TILT).model_copy(update={"parameters": parameters})
     both = diagnosis("explained", effects=[found(DELAY, 0.05, size=7.0), found(TILT, 0.01, size=8.0)], pairs=[pair])
-    effects = follow(late(), both)
+    effects = follow(NOTHING, both)
     assert onsets(effects[TILT]) == [("came", 0, 1)]
     assert [effects[name].sightings[1].parameters["size"].value for name in (DELAY, TILT)] == [1.0, 2.0]
 
 
+@pytest.mark.parametrize("verdict", ["explained", "ambiguous"])
+def test_an_effect_that_was_fitted_beside_another_alone_has_its_title(verdict: str) -> None:
+    clipped = follow(NOTHING, diagnosis(verdict, pairs=[several("sensor_saturation", TILT)]))["sensor_saturation"]
+    assert (clipped.title.text, clipped.title.say("de")) == ("clipping of the sensor", "Begrenzung des Sensors")
+
+
+def test_what_another_effect_may_hide_has_neither_gone_nor_come() -> None:
+    tilt = follow(tilted(), late(), NOTHING, tilted())[TILT]
+    assert states(tilt) == ["present", "unclear", "absent", "present"]
+    assert onsets(tilt) == [("came", None, 0), ("went", 0, 2), ("came", 2, 3)]
+    assert onsets(follow(NOTHING, tilted(), late())[DELAY]) == [("came", 0, 2)]
+    assert onsets(follow(late(), late(), tilted())[TILT]) == [("came", None, 2)]
+
+
+def test_what_an_effect_would_be_in_the_place_of_the_one_that_is_named_is_no_size_of_it() -> None:
+    rival = diagnosis("explained", effects=[found(DELAY), found(TILT, 0.01, about_x_rad=0.3)])
+    assert follow(tilted(), rival)[TILT].sightings[1].parameters == {}
+
+
+def test_what_is_found_beside_another_effect_and_does_not_matter_has_gone() -> None:
+    slight = late().model_copy(update={"minor": [minor(TILT)]})
+    sound = late().model_copy(update={"also": [seen("joint_backlash", "joints", material=False)]})
+    assert onsets(follow(tilted(), slight)[TILT]) == [("came", None, 0), ("went", 0, 1)]
+    worn = diagnosis("no_gap", also=[seen("joint_backlash", "joints")])
+    assert onsets(follow(worn, sound)["joint_backlash"]) == [("came", None, 0), ("went", 0, 1)]
+
+
 def test_what_does_not_matter_yet_has_not_come_but_is_shown() -> None:
-    minor = Minor(id=DELAY, parameters=found(DELAY, delay_s=0.001).parameters, message=Message.of("gap-minor"))
-    slight = diagnosis("no_gap", minor=[minor])
+    slight = diagnosis("no_gap", minor=[minor(DELAY, delay_s=0.001)])
     delay = follow(slight, late())[DELAY]
     assert states(delay) == ["minor", "present"]
     assert onsets(delay) == [("came", 0, 1)]
@@ -95,8 +129,7 @@ def test_what_is_seen_elsewhere_than_in_the_wrench_comes_and_goes_too() -> None:
 
 
 def test_effects_stand_in_the_order_in_which_they_came_and_so_does_the_summary() -> None:
-    tilted = diagnosis("explained", effects=[found(TILT)])
-    told = trace_effects(WEEKS, [NOTHING, tilted, NOTHING, late()])
+    told = trace_effects(WEEKS, [NOTHING, tilted(), NOTHING, late()])
     assert [effect.id for effect in told.effects] == [TILT, DELAY]
     assert [message.code for message in told.summary] == ["timeline-came", "timeline-went", "timeline-came"]
     assert [recording.verdict for recording in told.recordings] == ["no_gap", "explained", "no_gap", "explained"]
