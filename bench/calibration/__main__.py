@@ -3,7 +3,8 @@
 python -m bench.calibration FOLDER [--count N] [--workers N | --dask tcp://HOST:8786] [--write]
 
 Runs trials and appends each one's evidence to FOLDER/trials.jsonl; started again it goes on where it ended. Then the map from evidence to
-probabilities is fitted, and judged by leaving out variants and unknown causes in turn. `--write` puts it where the diagnosis reads it.
+probabilities is fitted, and judged by leaving out variants and unknown causes in turn. `--write` puts it where the diagnosis reads it;
+the doubts that strangers have taught stay there, and are to be learnt again.
 """
 
 from __future__ import annotations
@@ -21,11 +22,15 @@ from bench.calibration.mattering import learn_mattering
 from bench.calibration.scores import HEADER, find_coverage, find_outside, score
 from bench.calibration.trial import Trial, run_trial
 from bench.json_lines import append_results, read_results
-from core.gap.weighing import FILE, Figures, Provenance
+from core.gap.weighing import FILE, Figures, Provenance, read_figures
 from core.trial.batch import on_cluster, on_cores
 
 FEWEST = 2
 """Trials that have to teach something: each is tried on what was learnt from the others."""
+
+DOUBTS_ARE_OLDER = (
+    "kept the doubts under `elsewhere`, learnt beside the figures before: learn them again by `python -m bench.calibration.strangers`"
+)
 
 
 def run_trials(path: Path, seeds: list[int], workers: int, dask: str | None) -> None:
@@ -82,10 +87,13 @@ def main() -> None:
     trials = read_results(path, Trial)
     if sum(can_teach(trial) for trial in trials) < FEWEST:
         sys.exit(f"{len(trials)} trials, of which {sum(can_teach(trial) for trial in trials)} teach anything: at least {FEWEST} have to")
-    figures = learn_figures(trials)
+    elsewhere = read_figures().elsewhere
+    figures = learn_figures(trials).model_copy(update={"elsewhere": elsewhere})
     print(figures.model_dump_json(indent=2))
     if arguments.write:
         FILE.write_text(figures.model_dump_json(indent=2) + "\n", encoding="utf-8")
+        if elsewhere is not None:
+            print(DOUBTS_ARE_OLDER, file=sys.stderr)
 
 
 if __name__ == "__main__":

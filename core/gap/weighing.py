@@ -15,7 +15,7 @@ import math
 from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple, Protocol
+from typing import Literal, NamedTuple, Protocol
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict
@@ -38,6 +38,9 @@ MEASURES = ("gap", "moved", "reference")
 """By which what is there may matter."""
 NOTHING = 0.2
 """Of what matters: less is nothing."""
+
+Block = Literal["figures", "outside", "matters", "widened"]
+"""Of what trials teach."""
 
 
 class HeldOut(Protocol):
@@ -103,6 +106,8 @@ class Figures(BaseModel):
             it matters where it was found to be just what does, and what e times as much adds.
         widened: factor on the payload's uncertainty within each explanation of a gap that matters, by which intervals hold the truth as
             often as they say.
+        provenance: of all blocks but those in `learnt_apart`; its scores are those of what was learnt with them.
+        learnt_apart: provenance of blocks that are kept from another learning, by their names; empty where one has written all.
         elsewhere: what strangers' recordings have taught besides; None before they have.
     """
 
@@ -113,6 +118,7 @@ class Figures(BaseModel):
     matters: dict[str, tuple[float, float]]
     widened: float
     provenance: Provenance
+    learnt_apart: dict[Block, Provenance] = {}
     elsewhere: Elsewhere | None = None
 
     @property

@@ -28,7 +28,7 @@ SIZED_SIGMA = 5.0 * DETECTABLE_SIGMA
 TIE_SIGMA, CLEAR_SIGMA = 3.0, 6.0
 """Distance to the nearest rival below which the tie is to be declared, and above which there is to be one name."""
 NAMED = ("explained", "ambiguous")
-NO_GAP, UNKNOWN = "no_gap", "unknown"
+NO_GAP, EXPLAINED, UNKNOWN = "no_gap", "explained", "unknown"
 SEEN_BESIDE = frozenset(symptom.id for symptom in symptoms())
 """Faults that are read off the recording directly."""
 
@@ -114,6 +114,12 @@ def names_truth_alone(outcome: TrialOutcome) -> bool:
     """Whether the verdict names what was planted and nothing else, ties or not: `unknown` with the right name in the list is not right,
     nor is a pair with a wrong second."""
     return right(outcome) if is_beside(outcome) else find_named_effects(outcome) == set(outcome.sealed.ids)
+
+
+def tells_truth_outright(outcome: TrialOutcome) -> bool:
+    """Whether the planted name, and no other, is told without reserve: a first name of `ambiguous` is not, nor is what is read off the
+    recording beside a verdict other than `no_gap`."""
+    return names_truth_alone(outcome) and outcome.verdict == (NO_GAP if is_beside(outcome) else EXPLAINED)
 
 
 def gives_right_verdict(outcome: TrialOutcome) -> bool:

@@ -36,6 +36,7 @@ from core.trial.judgement import (
     material,
     names_truth_alone,
     right,
+    tells_truth_outright,
 )
 from core.trial.outcome import TrialOutcome
 from core.words.catalogue import Language
@@ -157,13 +158,14 @@ def _figures(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:
     first, every = (reliability(*answers) for answers in (first_answers(outcomes), all_answers(outcomes, LEAST)))
     alarms = Share.among(not right(o) for o in counted["none"])
     verdicts = Share.among(gives_right_verdict(o) for part in counted.values() for o in part)
-    single = Share.among(names_truth_alone(o) for o in counted["single"])
+    outright, single = (Share.among(map(answered, counted["single"])) for answered in (tells_truth_outright, names_truth_alone))
     seconds = [o.seconds for o in outcomes if o.stopped is None]
     asked = sum(o.second is not None for o in counted["single"])
     say, share = words.say, partial(_say_share, words)
     percent, number = partial(_percent, words), partial(_number, words)
     rows = [
         (say("sheet-false-alarms"), "<= 0.5 %", share(alarms)),
+        (say("sheet-one-fault-outright"), ">= 88 %", share(outright)),
         (say("sheet-one-fault"), ">= 88 %", share(single)),
         (say("sheet-one-fault-or-tie"), ">= 94 %", share(share_right(outcomes, "single"))),
         (say("sheet-one-fault-after", count=asked), ">= 97 %", share(share_right([o.final for o in outcomes], "single"))),
@@ -177,10 +179,11 @@ def _figures(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:
         (say("sheet-parameter-error", count=len(errors)), "<= 3 %", percent(_median(errors))),
         (say("sheet-parameters-covered"), "94-96 %", share(covered)),
         (say("sheet-closure-ratio"), ">= 0.98", number(_median(closures))),
+        (say("sheet-closure-ratio-low"), ">= 0.9", number(_quantile(closures, 0.1))),
         (say("sheet-payload-before"), "-", percent(payload.before)),
         (say("sheet-payload-after"), say("sheet-the-noise", stated=percent(payload.stated)), percent(payload.after)),
         (say("sheet-payload-covered"), "94-96 %", share(payload.covered)),
-        (say("sheet-seconds"), say("sheet-two-cores", time_s=15), f"{number(_median(seconds))} s"),
+        (say("sheet-seconds"), "-", f"{number(_median(seconds))} s"),  # what is wanted is of two quiet cores: `bench/diagnosis.py`
     ]
     head = (say("sheet-figure"), say("sheet-wanted"), say("sheet-here"))
     return _table(head, [(name, words.mark(wanted), here) for name, wanted, here in rows])
@@ -256,7 +259,11 @@ def _table(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[str]:
 
 
 def _median(values: Sequence[float]) -> float:
-    return float(np.median(values)) if values else float("nan")
+    return _quantile(values, 0.5)
+
+
+def _quantile(values: Sequence[float], share: float) -> float:
+    return float(np.quantile(values, share)) if values else float("nan")
 
 
 def _say_share(words: Wording, share: Share) -> str:

@@ -19,6 +19,7 @@ sheet-share = { FIXED($percent, digits: 1) } % ({ $hits } von { $of }; { FIXED($
 sheet-none-drawn = keiner gezogen
 sheet-none = keine
 sheet-false-alarms = falscher Alarm bei Läufen ohne Effekt
+sheet-one-fault-outright = ein Fehler: ohne Vorbehalt genannt (erklärt durch seinen Namen allein, oder abgelesen neben keiner Abweichung)
 sheet-one-fault = ein Fehler: genannt, und nichts sonst
 sheet-one-fault-or-tie = dasselbe mit erklärten Gleichständen
 sheet-one-fault-after = dasselbe nach der vorgeschlagenen Bewegung ({ $count } verlangten eine)
@@ -32,12 +33,12 @@ sheet-exact-pair = zwei zugleich: genau das Paar
 sheet-parameter-error = Fehler der Parameter, Median von { $count }
 sheet-parameters-covered = 95-%-Intervalle der Parameter enthalten die Wahrheit
 sheet-closure-ratio = geschlossener Anteil im Verhältnis zum wahren Effekt, Median
+sheet-closure-ratio-low = geschlossener Anteil im Verhältnis zum wahren Effekt, 10. Perzentil
 sheet-payload-before = Fehler der Last vorher, Median der beantworteten Versuche
 sheet-payload-after = Fehler der Last nachher
 sheet-payload-covered = 95-%-Intervalle der Last enthalten die Wahrheit
 sheet-seconds = Diagnose auf einem Prozessorkern, Median
 sheet-the-noise = das Rauschen: { $stated }
-sheet-two-cores = { $time_s } s (2 Kerne)
 
 # Nach Art und nach Effekt
 sheet-kind = Art

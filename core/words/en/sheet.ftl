@@ -19,6 +19,7 @@ sheet-share = { FIXED($percent, digits: 1) } % ({ $hits } of { $of }; { FIXED($l
 sheet-none-drawn = none drawn
 sheet-none = none
 sheet-false-alarms = false alarms on runs without effect
+sheet-one-fault-outright = one fault: told outright (explained by its name alone, or read off beside no gap)
 sheet-one-fault = one fault: named, and nothing else
 sheet-one-fault-or-tie = the same with declared ties
 sheet-one-fault-after = the same after the proposed motion ({ $count } asked for one)
@@ -32,12 +33,12 @@ sheet-exact-pair = two at once: the exact pair
 sheet-parameter-error = parameter error, median of { $count }
 sheet-parameters-covered = 95 % intervals of parameters hold the truth
 sheet-closure-ratio = closure over the true effect's, median
+sheet-closure-ratio-low = closure over the true effect's, 10th percentile
 sheet-payload-before = payload error before, median over answered trials
 sheet-payload-after = payload error after
 sheet-payload-covered = 95 % intervals of the payload hold the truth
 sheet-seconds = diagnosis on one core, median
 sheet-the-noise = the noise: { $stated }
-sheet-two-cores = { $time_s } s (2 cores)
 
 # By kind and by effect
 sheet-kind = kind

@@ -99,6 +99,7 @@ def test_folders_are_read_and_what_they_teach_is_written(tmp_path: Path, monkeyp
     strangers.main()
     written = json.loads((tmp_path / "probabilities.json").read_text())
     assert written["figures"] == FIGURES
+    assert written["learnt_apart"] == read_figures().model_dump(mode="json")["learnt_apart"]
     assert set(written["elsewhere"]["doubts"]) == set(DOUBTS)
     assert written["elsewhere"]["recordings"] == 60
 

@@ -15,6 +15,7 @@ from core.trial.judgement import (
     material,
     names_truth_alone,
     right,
+    tells_truth_outright,
     truth_class,
 )
 from core.trial.outcome import Named, ParameterEstimate, TrialOutcome
@@ -51,6 +52,22 @@ def test_a_declared_tie_that_holds_the_truth_does_not_name_it():
     tied = single(0, "time_delay", "sensor_lowpass", verdict="ambiguous", ties=((("sensor_lowpass", "time_delay"), 1.2),))
     assert right(tied)
     assert not names_truth_alone(tied)
+
+
+def test_a_name_is_told_outright_by_explained_alone():
+    first_of_open = single(0, "time_delay", "time_delay", verdict="ambiguous")
+    assert names_truth_alone(first_of_open)
+    assert not tells_truth_outright(first_of_open)
+    assert tells_truth_outright(single(0, "time_delay", "time_delay"))
+    assert not tells_truth_outright(single(0, "time_delay", "sensor_lowpass"))
+    assert not tells_truth_outright(single(0, "time_delay", "time_delay", pairs=((("sensor_gain", "time_delay"), 0.95),)))
+
+
+def test_what_is_read_off_is_told_outright_beside_no_gap_alone():
+    assert tells_truth_outright(beside())
+    assert names_truth_alone(beside(verdict="unknown"))
+    assert not tells_truth_outright(beside(verdict="unknown"))
+    assert not tells_truth_outright(beside(also={}))
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from core.trial.outcome import TrialOutcome
+from core.trial.outcome import Named, TrialOutcome
 from core.trial.sheet import confusions, detections, score_sheet, write_sheet
 from core.words.catalogue import LANGUAGES
 from tests.core.trial.synthetic_outcomes import double, none, payload, sealed, single, unknown
@@ -38,6 +38,34 @@ def test_the_sheet_says_how_it_was_made_and_stands_against_what_was_wanted():
     assert "`heft trial --seeds 0-4,7,44` (7 trials" in sheet
     assert "| false alarms on runs without effect | <= 0.5 % | 0.0 % (0 of 1;" in sheet
     assert "| unknown called unknown | >= 93 % | 100.0 % (1 of 1;" in sheet
+
+
+def test_a_first_name_of_an_open_verdict_is_a_name_but_not_told_outright():
+    answers = [single(1, "time_delay", "time_delay"), single(2, "time_delay", "time_delay", verdict="ambiguous")]
+    sheet = score_sheet([*answers, single(3, "time_delay", "sensor_lowpass")])
+    outright, named, tied = (sheet.index(row) for row in ("told outright", "named, and nothing else", "with declared ties"))
+    assert outright < named < tied
+    assert "read off beside no gap) | >= 88 % | 33.3 % (1 of 3;" in sheet
+    assert "named, and nothing else | >= 88 % | 66.7 % (2 of 3;" in sheet
+
+
+def test_closures_have_their_worst_tenth_beside_the_median():
+    def closing(seed: int, first: float) -> TrialOutcome:
+        names = (Named(id="sensor_lowpass", probability=0.9, closure=first), Named(id="time_delay", probability=0.1, closure=0.8))
+        return single(seed, "time_delay", "sensor_lowpass", effects=names)
+
+    sheet = score_sheet([closing(k, 0.08 * k) for k in range(11)])
+    assert "closure over the true effect's, median | >= 0.98 | 0.5 |" in sheet
+    assert "closure over the true effect's, 10th percentile | >= 0.9 | 0.1 |" in sheet
+
+
+def test_wanted_limits_are_those_of_what_the_rows_measure():
+    """The time that is wanted is of two quiet cores, and trials are diagnosed on one."""
+    wanted = dict(re.findall(r"^\| ([^|]+) \| ([^|]+) \| [^|]+ \|$", score_sheet(SOME).split("## By kind")[0], re.MULTILINE))
+    assert wanted["diagnosis on one core, median"] == "-"
+    assert sorted(limit for limit in wanted.values() if "%" in limit and "noise" not in limit) == sorted([
+        "<= 0.5 %", ">= 88 %", ">= 88 %", ">= 94 %", ">= 97 %", ">= 98 %", ">= 97 %", ">= 93 %", ">= 85 %", "<= 3 %", "94-96 %", "94-96 %",
+    ])  # fmt: skip
 
 
 def test_confusions_and_detections_are_counted_by_effect():
