@@ -34,7 +34,9 @@ def export(
     mount_rpy: Annotated[Triple | None, typer.Option(metavar="R P Y", help="And how it is turned there, rad. [default: 0 0 0]")] = None,
     write: Annotated[
         str | None,
-        typer.Option(metavar="CELL", help="Write it to the controller of this cell's robot, once somebody has accepted. Targets ur, xarm."),
+        typer.Option(
+            metavar="CELL", help="Write it to the controller of this cell's robot, once somebody has accepted. Targets ur, xarm, franka."
+        ),
     ] = None,
     accepted_by: Annotated[
         str | None, typer.Option(metavar="NAME", help="With --write: who has accepted. [default: asked at the terminal]")
