@@ -14,9 +14,9 @@ from core.payload.inertia import regressor
 
 SEARCHED_S, ROWS = np.arange(0.0, 1.01, 0.02), 500
 """Delays that are tried, and on how many rows of a run, about."""
-LARGE_S = 0.1
-"""Smaller ones are left to the plain shape. The search finds delays too small by up to a row of the residual, which is whitened by the rows
-before it."""
+SMALL_S, LARGE_S = 0.04, 0.1
+"""What a large delay is held against, and from which on it is one: less is left to the plain shape. The search finds delays too small by up
+to a row of the residual, which is whitened by the rows before it."""
 CLEARLY = 0.5
 """Share of what the best small delay leaves that a large one may leave."""
 DEGENERATE = 1e-9
@@ -51,7 +51,7 @@ def _find_delay(scene: Scene, residual: Array) -> float:
     left = np.array([_find_share_left(residual[rows], np.concatenate((V[rows], V[then], offsets), axis=2)) for then in earlier])
     minima = (left <= np.append(left[1:], np.inf)) & (left <= np.append(np.inf, left[:-1])) & (left <= AS_GOOD * left.min())
     best = int(np.argmax(minima))
-    return float(SEARCHED_S[best]) if left[best] < CLEARLY * left[SEARCHED_S <= LARGE_S].min() else 0.0
+    return float(SEARCHED_S[best]) if left[best] < CLEARLY * left[SEARCHED_S <= SMALL_S].min() else 0.0
 
 
 def _find_share_left(seen: Array, columns: Array) -> float:

@@ -9,7 +9,7 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 from core.array import Array
-from core.effects.delay_of_clocks import LARGE_S, DelayOfClocks
+from core.effects.delay_of_clocks import DelayOfClocks
 from core.payload.inertia import regressor
 from tests.core.effects.synthetic_scene import NOISE, scene
 
@@ -22,11 +22,11 @@ def come_late(late: float) -> Array:
     return CubicSpline(RUN.t, RUN.nominal)(np.maximum(RUN.t - late, RUN.t[0]))
 
 
-def left_by_twin(wrench: Array) -> Array:
-    """(N, 6), what the best payload and offsets leave of a wrench, in standard deviations of the noise, with such noise."""
+def left_by_twin(reading: Array) -> Array:
+    """(N, 6), what the best payload and offsets leave of a reading, in standard deviations of the noise, with such noise."""
     columns = np.concatenate((regressor(RUN.motion), np.broadcast_to(np.eye(6), (len(RUN), 6, 6))), axis=2) / NOISE[:, None]
     columns = columns.reshape(-1, 16)
-    seen = (wrench / NOISE + np.random.default_rng(3).normal(size=wrench.shape)).ravel()
+    seen = (reading / NOISE + np.random.default_rng(3).normal(size=reading.shape)).ravel()
     return np.asarray((seen - columns @ np.linalg.lstsq(columns, seen, rcond=None)[0]).reshape(-1, 6))
 
 
@@ -39,8 +39,8 @@ def test_a_delay_of_two_clocks_is_found_in_what_the_twin_leaves(late: float) -> 
 
 def test_small_delays_offsets_and_noise_are_no_sign_of_one() -> None:
     jump = np.where(RUN.t[:, None] > 7.0, [3.0, -1.0, 0.5, 0.1, 0.0, 0.2], 0.0)
-    for wrench in (RUN.nominal, come_late(0.02), come_late(0.6 * LARGE_S), RUN.nominal + jump, 1.1 * RUN.nominal):
-        assert EFFECT.starts(RUN, left_by_twin(wrench)) == []
+    for reading in (RUN.nominal, come_late(0.02), come_late(0.06), RUN.nominal + jump, 1.1 * RUN.nominal):
+        assert EFFECT.starts(RUN, left_by_twin(reading)) == []
 
 
 def test_nothing_is_late_where_nothing_is_known_of_the_way_from_pose_to_pose() -> None:

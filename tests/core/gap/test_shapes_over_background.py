@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 from scipy.signal import lsim
+from scipy.spatial.transform import Rotation
 
 from core.effects.library import library
 from core.effects.loose_that_rubs import LooseThatRubs
@@ -28,6 +29,7 @@ from tests.synthetic import Run, payload, record, run_of, wrench_of
 Array = np.ndarray
 ZEROS_DEG = 0.01
 OFFSET = np.array([3.1, -2.2, 5.3, 0.11, -0.2, 0.07])
+DOWN = np.array([0.0, 0.0, -9.81])
 OF_GAIN = ("sensor_gain", "sensor_nonlinearity", "sensor_hysteresis")
 
 
@@ -248,6 +250,15 @@ def test_clocks_that_differ_by_tenths_of_a_second_are_a_delay(run: Run, late_s: 
     assert (diagnosis.verdict, [effect.id for effect in diagnosis.effects][:1]) == ("explained", ["time_delay"])
     assert diagnosis.effects[0].parameters["delay_s"].value == pytest.approx(late_s, abs=0.001)
     assert diagnosis.gap.after < 1.05
+
+
+def test_beside_a_base_that_is_not_level_the_delay_of_two_clocks_is_no_filter(run: Run) -> None:
+    recording, _ = recorded(run, 5)
+    level, tilted = (wrench_of(run, payload("steel_block"), Rotation.from_euler("x", deg, degrees=True).apply(DOWN)) for deg in (0.0, 1.0))
+    come = CubicSpline(run.t, tilted)(np.maximum(run.t - 0.25, run.t[0]))
+    diagnosis = explain(replace(recording, wrench=recording.wrench + come - level), "time_delay", "sensor_lowpass", "base_tilt")
+    assert (diagnosis.verdict, diagnosis.pairs[0].ids) == ("explained", ("base_tilt", "time_delay"))
+    assert diagnosis.pairs[0].parameters["time_delay"]["delay_s"].value == pytest.approx(0.25, abs=0.001)
 
 
 def slide(run: Run, axis: Array, half_m: float, dry: float) -> Array:
