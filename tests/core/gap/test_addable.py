@@ -66,7 +66,7 @@ def test_what_the_twins_file_could_not_hold_is_not_offered(late: Recording, cell
     write_recording(late, tmp_path / "late")
     found, _ = examine(late, FEW, folder=tmp_path / "late")
     delay = next(each for each in found.effects if each.id == "time_delay")
-    longest = {"delay_s": delay.parameters["delay_s"].model_copy(update={"value": 0.2})}
+    longest = {"delay_s": delay.parameters["delay_s"].model_copy(update={"value": 0.3})}
     judged = addable_to(found.model_copy(update={"effects": [delay.model_copy(update={"parameters": longest})]}), cell).effects[0]
     assert not judged.addable
-    assert "found 0.2 s, expected between 0 and 0.1" in str(judged.why_not)
+    assert "found 0.3 s, expected between 0 and 0.2" in str(judged.why_not)

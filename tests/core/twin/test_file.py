@@ -52,7 +52,7 @@ def test_a_twin_without_effects_takes_the_file_away(cell: Cell, twin: Twin) -> N
 def test_a_twin_that_could_not_be_read_again_is_not_written(cell: Cell, twin: Twin) -> None:
     write_twin(cell, twin)
     text = (cell.folder / TWIN_FILE).read_text()
-    with pytest.raises(BadTwin, match=r"delay_s\.value: found 0\.5 s, expected between 0 and 0\.1"):
+    with pytest.raises(BadTwin, match=r"delay_s\.value: found 0\.5 s, expected between 0 and 0\.2"):
         write_twin(cell, twin.with_entry(entry(cell, "time_delay", delay_s=0.5)))
     assert (cell.folder / TWIN_FILE).read_text() == text
 
@@ -77,7 +77,7 @@ BAD = {
     "effect twice": (changed(lambda c: c["effects"].append(first(c))), "'time_delay' 2 times, expected each effect once"),
     "wrong name": (changed(lambda c: first(c)["parameters"].update(delay_ms=first(c)["parameters"]["delay_s"])), "'delay_s', if that is"),
     "missing name": (changed(lambda c: first(c)["parameters"].clear()), "delay_s: found no such key, expected it"),
-    "out of bounds": (changed(lambda c: first(c)["parameters"]["delay_s"].update(value=-0.1)), "found -0.1 s, expected between 0 and 0.1"),
+    "out of bounds": (changed(lambda c: first(c)["parameters"]["delay_s"].update(value=-0.1)), "found -0.1 s, expected between 0 and 0.2"),
     "wrong unit": (changed(lambda c: first(c)["parameters"]["delay_s"].update(unit="ms")), "unit: found 'ms', expected 's'"),
     "text": (changed(lambda c: first(c)["parameters"]["delay_s"].update(value="0.01")), 'effects.0.parameters.delay_s.value: found "0.01"'),
     "not finite": (lambda c: json.dumps(c).replace("0.012", "NaN"), "delay_s.value"),
