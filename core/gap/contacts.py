@@ -28,6 +28,8 @@ LEAST = 0.05
 """A stretch whose largest row is a smaller share of the largest of all is what the payload's model gets wrong, not another contact."""
 APART_S = 0.25
 """Two stretches with less between them are one."""
+LETS_GO = 0.1
+"""Share of a stretch's largest row below which nobody pushes in it, where that lasts: a sensor does not come back to nothing at once."""
 AT_A_POINT = 0.8
 """Share of the torque's square that a force at one point of the payload accounts for in each stretch, over all of them."""
 ONE_WAY = 0.5
@@ -71,7 +73,7 @@ class Contact:
 
 @dataclass(frozen=True)
 class Contacts:
-    """All stretches of a recording, in their order, and which rows (K,) are free of them."""
+    """All pushes of a recording, in their order, and which rows (K,) are free of the stretches in which they are."""
 
     found: tuple[Contact, ...]
     free: NDArray[np.bool_]
@@ -95,8 +97,12 @@ def find_contacts(windows: Windows, fit: EffectFit) -> Contacts | None:
     free = wider if wider.mean() >= FREE else free
     wrench, rotation, moves = -windows.unwhiten(residual), windows.average_rotation(), _find_motion(windows)
     found = tuple(_describe(windows.centres[rows], wrench[rows], rotation[rows], float(moves[rows].mean())) for rows in stretches)
-    own = not _come_with_motion(found, float(moves.mean())) and not _cancel_out(found)
-    return Contacts(found, free) if own and _are_pushes(found) else None
+    if _come_with_motion(found, float(moves.mean())) or _cancel_out(found) or not _are_pushes(found):
+        return None
+    size = np.sqrt((residual**2).mean(axis=0))
+    pushes = [push for rows in stretches for push in split_pushes(windows.centres, size, rows)]
+    told = tuple(_describe(windows.centres[rows], wrench[rows], rotation[rows], float(moves[rows].mean())) for rows in pushes)
+    return Contacts(told, free)
 
 
 def find_free(windows: Windows, fit: EffectFit) -> NDArray[np.bool_] | None:
@@ -159,6 +165,24 @@ def find_stretches(t: Array, size: Array) -> list[slice]:
 def _trim(run: NDArray[np.intp], size: Array) -> slice:
     above = run[size[run] > EDGE * float(size[run].max())]
     return slice(int(above[0]), int(above[-1]) + 1)
+
+
+def split_pushes(t: Array, size: Array, rows: slice) -> list[slice]:
+    """The pushes in a stretch of rows, without what lies before, between and behind them, where each row is small and as large as before.
+
+    Args:
+        t: (K,), s.
+        size: (K,), root mean square of each row.
+    """
+    peak, inside = float(size[rows].max()), np.arange(rows.start, rows.stop)
+    low = inside[size[inside] < LETS_GO * peak]
+    rests = np.zeros(len(size), dtype=bool)
+    for run in np.split(low, np.flatnonzero(np.diff(low) > 1) + 1):
+        if len(run) and t[run[-1]] - t[run[0]] >= APART_S:
+            still = run[size[run] <= float(np.median(size[run])) + EDGE * peak]
+            rests[still[0] : still[-1] + 1] = True
+    pushed = inside[~rests[inside]]
+    return [slice(int(run[0]), int(run[-1]) + 1) for run in np.split(pushed, np.flatnonzero(np.diff(pushed) > 1) + 1)]
 
 
 def _describe(t: Array, wrench: Array, rotation: Array, moving: float) -> Contact:

@@ -12,7 +12,7 @@ from core.effects.library import library
 from core.gap.answer import Diagnosis
 from core.gap.basis import basis_of
 from core.gap.contact_answer import answer_touched, find_touched
-from core.gap.contacts import MARGIN_S, find_contacts, find_stretches
+from core.gap.contacts import MARGIN_S, find_contacts, find_stretches, split_pushes
 from core.gap.diagnosis import diagnose
 from core.gap.effect_fit import fit_nominal
 from core.gap.evidence import Evidence, gather, join
@@ -238,6 +238,21 @@ def test_what_may_explain_the_rest_is_told_with_each_of_its_names(pushed_and_til
     masses = [fit.phi[0] for fit, _ in touched.beside]
     assert min(masses) < told.payload.after.phi[0] < max(masses), "between what the two make of it"
     assert told.payload.after.std[0] > 1.2 * min(fit.phi_std[0] for fit, _ in touched.beside)
+
+
+def test_a_sensor_that_does_not_come_back_to_nothing_between_two_pushes_does_not_join_them() -> None:
+    t = 0.05 * np.arange(200)
+    size = np.where((t > 2.0) & (t < 8.0), 6.0, 1.0) + 100.0 * (np.exp(-(((t - 3.0) / 0.2) ** 2)) + np.exp(-(((t - 6.0) / 0.2) ** 2)))
+    (stretch,) = find_stretches(t, size)
+    pushes = [(float(t[rows.start]), float(t[rows.stop - 1])) for rows in split_pushes(t, size, stretch)]
+    assert pushes == [pytest.approx((2.6, 3.4), abs=0.11), pytest.approx((5.6, 6.4), abs=0.11)]
+
+
+def test_a_push_that_lets_go_for_a_moment_is_one() -> None:
+    t = 0.05 * np.arange(200)
+    size = np.where((t > 2.0) & (t < 4.0) & ~((t > 2.9) & (t < 3.1)), 100.0, 1.0)
+    (stretch,) = find_stretches(t, size)
+    assert split_pushes(t, size, stretch) == [stretch]
 
 
 @pytest.mark.parametrize("apart_s", [0.05, 0.8])
