@@ -25,7 +25,7 @@ BENCHES = (
     "procedure --seeds 20 --cell ur5e_line",
     "coverage --count 1000 --seeds 20",
     "conditions --count 200",
-    "swinging_arms --count 8",
+    "swinging_arms --count 40",
     "eight_plans --count 20",
     "long_recording",
     "long_recording --seconds 60 --rate 500",

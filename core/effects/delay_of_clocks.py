@@ -7,10 +7,8 @@ import numpy as np
 from core.array import Array
 from core.effects.effect import Parameter
 from core.effects.scene import Scene
-from core.effects.splines import smooth_by_splines
 from core.effects.time_delay import TimeDelay
-from core.effects.window_search import weights
-from core.payload.inertia import regressor
+from core.effects.window_search import columns_of_payload_and_offsets
 
 SEARCHED_S, ROWS = np.arange(0.0, 1.01, 0.02), 500
 """Delays that are tried, and on how many rows of a run, about."""
@@ -44,11 +42,9 @@ class DelayOfClocks(TimeDelay):
 def _find_delay(scene: Scene, residual: Array) -> float:
     """s, after which the loads of any payload, with those of another that do not wait, make up most of a residual (N, 6)."""
     rows = np.arange(0, len(scene), max(1, len(scene) // ROWS))
-    V = regressor(scene.motion).reshape(len(scene), 60)
-    V = smooth_by_splines(V, scene.period, scene.residual_window).reshape(len(scene), 6, 10) * weights(scene)[:, None]
-    offsets = np.broadcast_to(np.eye(6), (len(rows), 6, 6))
+    columns = columns_of_payload_and_offsets(scene, slice(None))
     earlier = np.maximum(rows - np.rint(SEARCHED_S[:, None] / scene.period).astype(int), 0)
-    left = np.array([_find_share_left(residual[rows], np.concatenate((V[rows], V[then], offsets), axis=2)) for then in earlier])
+    left = np.array([_find_share_left(residual[rows], np.concatenate((columns[rows], columns[then, :, :10]), axis=2)) for then in earlier])
     minima = (left <= np.append(left[1:], np.inf)) & (left <= np.append(np.inf, left[:-1])) & (left <= AS_GOOD * left.min())
     best = int(np.argmax(minima))
     return float(SEARCHED_S[best]) if left[best] < CLEARLY * left[SEARCHED_S <= SMALL_S].min() else 0.0

@@ -96,13 +96,15 @@ def find_contacts(windows: Windows, fit: EffectFit) -> Contacts | None:
     wider = _leave_margins(windows.centres, stretches)
     free = wider if wider.mean() >= FREE else free
     wrench, rotation, moves = -windows.unwhiten(residual), windows.average_rotation(), _find_motion(windows)
-    found = tuple(_describe(windows.centres[rows], wrench[rows], rotation[rows], float(moves[rows].mean())) for rows in stretches)
+
+    def describe(some: list[slice]) -> tuple[Contact, ...]:
+        return tuple(_describe(windows.centres[rows], wrench[rows], rotation[rows], float(moves[rows].mean())) for rows in some)
+
+    found = describe(stretches)
     if _come_with_motion(found, float(moves.mean())) or _cancel_out(found) or not _are_pushes(found):
         return None
-    size = np.sqrt((residual**2).mean(axis=0))
-    pushes = [push for rows in stretches for push in split_pushes(windows.centres, size, rows)]
-    told = tuple(_describe(windows.centres[rows], wrench[rows], rotation[rows], float(moves[rows].mean())) for rows in pushes)
-    return Contacts(told, free)
+    size = _find_size(residual)
+    return Contacts(describe([push for rows in stretches for push in split_pushes(windows.centres, size, rows)]), free)
 
 
 def find_free(windows: Windows, fit: EffectFit) -> NDArray[np.bool_] | None:
@@ -125,11 +127,16 @@ def _find_astray(windows: Windows, fit: EffectFit) -> tuple[Array, list[slice], 
         return None
     target = windows.target - fit.change
     residual = target - windows.X @ fit_most(windows, target)
-    stretches = find_stretches(windows.centres, np.sqrt((residual**2).mean(axis=0)))
+    stretches = find_stretches(windows.centres, _find_size(residual))
     free = np.ones(len(windows), dtype=bool)
     for rows in stretches:
         free[rows] = False
     return residual, stretches, free
+
+
+def _find_size(residual: Array) -> Array:
+    """(K,), root mean square of each row of a residual (6, K)."""
+    return np.asarray(np.sqrt((residual**2).mean(axis=0)))
 
 
 def _find_motion(windows: Windows) -> NDArray[np.bool_]:

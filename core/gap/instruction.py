@@ -187,7 +187,7 @@ def find_effect_title(name: str, diagnosis: Diagnosis) -> Message:
     told: list[Explanation | Also] = [*diagnosis.effects, *diagnosis.also]
     if titles := [each.title for each in told if each.id == name]:
         return titles[0]
-    from core.effects.library import find_effect  # noqa: PLC0415  numerics, for what was fitted beside another alone
+    from core.effects.library import find_effect  # noqa: PLC0415 - numerics, for what was fitted beside another alone
 
     try:
         return find_effect(name).title

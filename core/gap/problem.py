@@ -174,12 +174,11 @@ class Problem:
         it."""
         if not any(effect.moves_payload for effect, *_ in self._chain):
             return self.X
-        X, scene = self.X.copy(), self.windows.basis.scene
-        here = self.windows.row_of(self.change(theta, scene.with_phi(phi)))
+        X, here = self.X.copy(), self._look(theta, phi)
         for k, size in enumerate(sizes(phi)):
             step = STEP * (size or 1.0)
-            moved = scene.with_phi(phi + step * np.eye(len(phi))[k])
-            X[:, k] += (self.windows.row_of(self.change(theta, moved)) - here) / step
+            moved = here.scene.with_phi(phi + step * np.eye(len(phi))[k])
+            X[:, k] += (self.windows.row_of(self.change(theta, moved)) - here.rows) / step
         return X
 
     def normal(self, X: Array, J: Array) -> Array:

@@ -1,4 +1,4 @@
-"""What `--write` leaves where the diagnosis reads it, and where what ships comes from."""
+"""What `--write` leaves where the diagnosis reads it, in the form that ships."""
 
 from __future__ import annotations
 
@@ -7,15 +7,10 @@ from pathlib import Path
 import pytest
 
 from bench.calibration import __main__ as calibration
-from core.gap.weighing import FILE, Block, Figures, read_figures
+from core.gap.weighing import FILE, Figures, read_figures
 from tests.bench.calibration.test_learning import trial
 
 SHIPPED = read_figures()
-EARLIER = {
-    "log_draws": 0.3291, "schwarz": 0.6892, "log_bent": -5.6287, "none": 1.8719, "further": 7.8197, "unknown": -0.4942,
-    "unknown_left": 1.5211, "lapse": -1.3672, "lapse_left": 0.8745,
-}  # fmt: skip
-LATER = {"gap": (0.02, 34.97), "moved": (-1.52, 1.8), "reference": (-0.75, 5.3)}
 
 
 def learn_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Figures:
@@ -42,25 +37,6 @@ def test_a_learning_writes_one_provenance_for_all(tmp_path: Path, monkeypatch: p
     written = learn_anew(tmp_path, monkeypatch)
     assert written.provenance.trials == 8
     assert written.learnt_apart == {}
-
-
-@pytest.mark.parametrize(
-    ("block", "value", "learnt_from", "versions"),
-    [
-        ("figures", EARLIER, 312, ("0.1.0+db1d0ed04f", "0.1.0+fa8238a499")),
-        ("matters", LATER, 301, ("0.1.0+905424ea08",)),
-        ("outside", 0.401, 301, ("0.1.0+905424ea08",)),
-        ("widened", 1.27, 301, ("0.1.0+905424ea08",)),
-    ],
-)
-def test_each_block_that_ships_says_which_learning_it_is_of(
-    block: Block, value: object, learnt_from: int, versions: tuple[str, ...]
-) -> None:
-    """Of these values, as the repository's history has them; what is learnt anew says its own."""
-    if getattr(SHIPPED, block) != value:
-        return
-    provenance = SHIPPED.learnt_apart.get(block, SHIPPED.provenance)
-    assert (provenance.learnt_from, provenance.versions) == (learnt_from, versions)
 
 
 def test_what_ships_is_written_as_both_learnings_write_it() -> None:
