@@ -63,8 +63,8 @@ def compare(name: str, rows: int, rounds: int) -> None:
     scaled = 0
     for k in range(rounds + 1):
         for q, dq, x in drawn:
-            slow_s = seconds_per_call(lambda: numpy_step(robot, limits, q, dq, x))  # noqa: B023  called at once
-            fast_s = seconds_per_call(lambda: sns_step(robot.chain, q, dq, x, limits, PERIOD))  # noqa: B023  the same
+            slow_s = seconds_per_call(lambda: numpy_step(robot, limits, q, dq, x))  # noqa: B023 - called at once
+            fast_s = seconds_per_call(lambda: sns_step(robot.chain, q, dq, x, limits, PERIOD))  # noqa: B023 - the same
             if k > 0:  # the first round compiles
                 slow.append(slow_s)
                 fast.append(fast_s)

@@ -26,7 +26,7 @@ def code_version() -> str:
 @cache
 def release_version() -> str:
     """Such as `0.1.0`."""
-    from importlib.metadata import PackageNotFoundError, version  # noqa: PLC0415  slow to import, and hardly ever asked for
+    from importlib.metadata import PackageNotFoundError, version  # noqa: PLC0415 - slow to import, and hardly ever asked for
 
     try:
         return version("heft")

@@ -31,7 +31,7 @@ def serve(
     data: DataOption = None,
 ) -> None:
     """Start the service for operator, MES and watchers. Every setting is also an environment variable HEFT_*."""
-    from server.serve import run_service as start  # noqa: PLC0415  the other commands need no web
+    from server.serve import run_service as start  # noqa: PLC0415 - the other commands need no web
 
     start(host=host, port=port, cells=cells, data=data)
 
@@ -39,7 +39,7 @@ def serve(
 @app.command(hidden=True)
 def openapi(file: Annotated[Path, typer.Argument(metavar="FILE", help="Where to write it; it appears only when it is whole.")]) -> None:
     """Write the OpenAPI description, from which clients are generated. Nothing is started."""
-    from server.serve import write_openapi  # noqa: PLC0415  the other commands need no web
+    from server.serve import write_openapi  # noqa: PLC0415 - the other commands need no web
 
     write_openapi(file)
 
@@ -50,7 +50,7 @@ def verify(
     expect: Annotated[str | None, typer.Option(metavar="HASH", help="A hash seen earlier, which the chain must still contain.")] = None,
 ) -> None:
     """Check that nothing in the audit log was changed, removed or put in between."""
-    from server.serve import verify_audit  # noqa: PLC0415  the other commands need no store
+    from server.serve import verify_audit  # noqa: PLC0415 - the other commands need no store
 
     answers.print(verify_audit(data, expect).say(find_language()), highlight=False, soft_wrap=True)
 

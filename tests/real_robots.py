@@ -308,7 +308,7 @@ def _payload(rng: np.random.Generator) -> Payload:
         centre = np.array([beside * np.cos(side), beside * np.sin(side), rng.uniform(-0.1, 0.05)])
     com = centre + 0.2 * size * rng.uniform(-1.0, 1.0, 3)
     about_com = mass / 12.0 * np.diag(size @ size - size**2) * rng.uniform(0.6, 0.9)
-    I = about_com + mass * (com @ com * np.eye(3) - np.outer(com, com))  # noqa: E741  the name in the formula
+    I = about_com + mass * (com @ com * np.eye(3) - np.outer(com, com))  # noqa: E741 - the name in the formula
     return Payload(
         title="random",
         mass_kg=mass,

@@ -48,7 +48,7 @@ def export(
     if write is not None:
         if cell is not None or mount_xyz is not None or mount_rpy is not None:
             raise BadInput("--write", "cli-export-mount-of-cell")
-        from core.cli.controller_payload import write_to_controller  # noqa: PLC0415  a file needs no robot's model
+        from core.cli.controller_payload import write_to_controller  # noqa: PLC0415 - a file needs no robot's model
 
         write_to_controller(result, found, target=target, cell_name=write, accepted_by=accepted_by)
         return

@@ -73,7 +73,7 @@ def identify_command(
     required = None if made_in is None or robot is None else CellRequirement(made_in, robot)
     met = None if wanted is None else hold_against_target(TargetCheck(wanted, required), identification.estimate)
     if report is not None:
-        from core.report.page import write_report  # noqa: PLC0415  only who wants a page waits for what draws it
+        from core.report.page import write_report  # noqa: PLC0415 - only who wants a page waits for what draws it
 
         write_report(report, recording=loaded, identification=identification, requirement=enough, target=met, language=language)
     print_answer(result_of(identification, loaded, seconds=seconds, requirement=enough, target=met, folder=recording[0]), json)

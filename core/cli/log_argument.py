@@ -67,7 +67,7 @@ def _is_log(path: Path) -> bool:
         return path.is_file() and path.suffix.lower() != ".json"
     if (path / MANIFEST).exists():
         return False
-    from core.recording.logs.tables import holds_logs  # noqa: PLC0415  only a folder that is no recording waits for what reads bags
+    from core.recording.logs.tables import holds_logs  # noqa: PLC0415 - only a folder that is no recording waits for what reads bags
 
     return holds_logs(path)
 
@@ -100,7 +100,7 @@ def take_log(paths: Sequence[Path], known: LogKnowledge) -> Iterator[Path]:
     Raises:
         BadInput, BadRecording: as for `heft import`.
     """
-    from core.cli.import_log import make_recording  # noqa: PLC0415  only a log waits for what reads logs
+    from core.cli.import_log import make_recording  # noqa: PLC0415 - only a log waits for what reads logs
 
     with TemporaryDirectory(prefix="heft-") as folder:
         out = Path(folder) / "recording"

@@ -61,8 +61,8 @@ def _check_apart(paths: Sequence[Path], results: Sequence[Result]) -> None:
 
 
 def _identify(folder: Path) -> Result:
-    from core.estimation.identification import identify_recording  # noqa: PLC0415  answers that are there already wait for no estimator
-    from core.recording.long_recording import read_condensed  # noqa: PLC0415  answers that are there already wait for no Parquet
+    from core.estimation.identification import identify_recording  # noqa: PLC0415 - answers that are there already wait for no estimator
+    from core.recording.long_recording import read_condensed  # noqa: PLC0415 - answers that are there already wait for no Parquet
 
     if messages.is_terminal:
         messages.print(find_wording().say("cli-identifying", folder=str(folder)), highlight=False)

@@ -30,7 +30,7 @@ messages = Console(stderr=True)
 
 def find_wording() -> Wording:
     """The words of this terminal."""
-    from core.words.wording import Wording  # noqa: PLC0415  help needs no messages
+    from core.words.wording import Wording  # noqa: PLC0415 - help needs no messages
 
     return Wording(find_language())
 
@@ -38,7 +38,7 @@ def find_wording() -> Wording:
 def show_version(wanted: bool) -> None:
     """Prints the version of the code and ends."""
     if wanted:
-        from core.version import code_version  # noqa: PLC0415  reads all sources, for this option alone
+        from core.version import code_version  # noqa: PLC0415 - reads all sources, for this option alone
 
         answers.print(code_version(), highlight=False)
         raise typer.Exit
@@ -60,7 +60,7 @@ def enter(program: typer.Typer) -> None:
         messages.print(find_wording().say("cli-interrupted"), highlight=False)
         sys.exit(130)
     except Exception as error:
-        from core.errors import BadInput, HeftError  # noqa: PLC0415  help meets no errors, and they take half of its time
+        from core.errors import BadInput, HeftError  # noqa: PLC0415 - help meets no errors, and they take half of its time
 
         if not isinstance(error, HeftError):
             raise

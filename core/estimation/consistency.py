@@ -26,7 +26,7 @@ def nearest_consistent(phi: Array, covariance: Array) -> Array:
     """
     if is_consistent(phi):
         return phi
-    from scipy.optimize import least_squares  # noqa: PLC0415  most payloads are consistent and wait for no optimiser
+    from scipy.optimize import least_squares  # noqa: PLC0415 - most payloads are consistent and wait for no optimiser
 
     root = _inverse_root(covariance)
     mass = max(float(phi[0]), 1e-4)

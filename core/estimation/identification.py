@@ -72,7 +72,7 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL, without: Reco
 
 def _identify(recording: Recording, twin: Twin, without: Recording | None) -> Identification:
     if recording.wrench is None or without is not None:
-        from core.estimation.joint_torques.identification import identify_by_torques  # noqa: PLC0415  loads an optimiser
+        from core.estimation.joint_torques.identification import identify_by_torques  # noqa: PLC0415 - loads an optimiser
 
         return identify_by_torques(recording, without)
 

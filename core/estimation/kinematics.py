@@ -88,7 +88,7 @@ class Poses:
             joints = replace(self.joints, q=rows.fill @ self.joints.q)
             pose = joints.robot.sensor_poses(joints.q)
             return replace(self, t=rows.t, rotation=pose.rotation, position=pose.position, joints=joints)
-        from scipy.spatial.transform import Rotation  # noqa: PLC0415  half of SciPy, for recordings of attitudes that have lost rows
+        from scipy.spatial.transform import Rotation  # noqa: PLC0415 - half of SciPy, for recordings of attitudes that have lost rows
 
         rotation = Rotation.from_matrix((rows.fill @ self.rotation.reshape(len(self.t), 9)).reshape(-1, 3, 3)).as_matrix()
         position = None if self.position is None else rows.fill @ self.position

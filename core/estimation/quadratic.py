@@ -88,7 +88,7 @@ def find_bounded_minimum(normal: Array, right: Array, bounds: Array) -> Array:
 
 
 def _search_active_sets(A: Array, b: Array, bounds: Array, scale: Array) -> Array:
-    from scipy.optimize import lsq_linear  # noqa: PLC0415  hardly ever asked, and slow to load
+    from scipy.optimize import lsq_linear  # noqa: PLC0415 - hardly ever asked, and slow to load
 
     values, vectors = np.linalg.eigh(A)
     root = np.sqrt(np.maximum(values, LEAST_EIGENVALUE * values[-1]))

@@ -92,7 +92,7 @@ def find_turning_place(recording: Recording) -> TurningPlace | None:
     poses = poses_of(recording)
     if poses is None or recording.wrench is None or poses.position is not None or poses.apart:
         return None
-    from scipy.optimize import least_squares  # noqa: PLC0415  only attitudes without positions wait for an optimiser
+    from scipy.optimize import least_squares  # noqa: PLC0415 - only attitudes without positions wait for an optimiser
 
     motion, _ = smooth_motion(poses, window_s=WINDOW_S)
     if np.linalg.norm(motion.omega, axis=1).sum() * poses.period < TURNED_RAD:

@@ -49,13 +49,13 @@ def zyx_degrees(rotation: Array) -> Array:
 
     One of A and C is 0 where B is a right angle: both turn about the same axis there.
     """
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  the service knows the exports, and starts without SciPy
+    from scipy.spatial.transform import Rotation  # noqa: PLC0415 - the service knows the exports, and starts without SciPy
 
     return np.asarray(Rotation.from_matrix(rotation).as_euler("ZYX", degrees=True, suppress_warnings=True))
 
 
 def to_quaternion(rotation: Array) -> Array:
     """(4,), w x y z with w >= 0."""
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  as above
+    from scipy.spatial.transform import Rotation  # noqa: PLC0415 - as above
 
     return np.asarray(Rotation.from_matrix(rotation).as_quat(canonical=True, scalar_first=True))

@@ -220,7 +220,7 @@ def _orientation(samples: Samples) -> Array:
     """Rotation matrices (N, 3, 3) of the quaternions, normalised."""
     if not samples.any_of(QUATERNION):
         raise BadRecording(samples.where, "recording-joints-without-robot" if "q_1" in samples else "recording-neither-joints-nor-poses")
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  half of SciPy, for recordings of attitudes
+    from scipy.spatial.transform import Rotation  # noqa: PLC0415 - half of SciPy, for recordings of attitudes
 
     quaternions = samples.numbers(*QUATERNION)
     norms = np.linalg.norm(quaternions, axis=1)
@@ -258,7 +258,7 @@ def columns_of(recording: Recording) -> dict[str, Array | NDArray[np.str_]]:
         if values is not None:
             columns |= dict(zip(_names(prefix, values.shape[1]), np.asarray(values, dtype=float).T, strict=True))
     if recording.orientation is not None:
-        from scipy.spatial.transform import Rotation  # noqa: PLC0415  as above
+        from scipy.spatial.transform import Rotation  # noqa: PLC0415 - as above
 
         columns |= dict(zip(QUATERNION, Rotation.from_matrix(recording.orientation).as_quat().T, strict=True))
     if recording.position is not None:

@@ -114,7 +114,7 @@ def _mean_angle(q: Array) -> Array:
 
 def _mean_rotation(rotation: Array) -> Array:
     """(M, 3, 3) of (M, k, 3, 3)."""
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  half of SciPy, for long recordings of attitudes
+    from scipy.spatial.transform import Rotation  # noqa: PLC0415 - half of SciPy, for long recordings of attitudes
 
     mean = rotation.mean(axis=1)
     return np.asarray(Rotation.from_matrix(mean).as_matrix()) if len(mean) else mean

@@ -104,7 +104,7 @@ def read_program(path: Path, robot: RobotModel) -> JointMotion:
     count = int((t[-1] - t[0]) / PERIOD_S) + 1
     if count > MAX_ROWS:
         raise BadInput(str(path), "requirement-too-long", duration_s=float(t[-1] - t[0]), limit_s=MAX_ROWS * PERIOD_S)
-    from scipy.interpolate import CubicSpline  # noqa: PLC0415  the service knows what a requirement is, and starts without SciPy
+    from scipy.interpolate import CubicSpline  # noqa: PLC0415 - the service knows what a requirement is, and starts without SciPy
 
     spline = CubicSpline(t, rows, bc_type="clamped")
     at = t[0] + PERIOD_S * np.arange(count)

@@ -210,7 +210,7 @@ def _largest_gains(columns: Array) -> Array:
 
 def judge(requirement: Requirement, covariance: Array) -> Adequacy:
     """Whether an answer with this covariance (10, 10) of Phi, finite, is good enough."""
-    from scipy.stats import qmc  # noqa: PLC0415  the service knows what a requirement is, and starts without SciPy
+    from scipy.stats import qmc  # noqa: PLC0415 - the service knows what a requirement is, and starts without SciPy
 
     typed = np.linalg.inv(find_typed_jacobian(requirement.payload))
     spread = typed @ covariance @ typed.T

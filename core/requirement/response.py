@@ -82,7 +82,7 @@ def _low_pass(needed: Array, periods: float) -> Array:
         needed: (N, ...).
         periods: of the rows, in time constants.
     """
-    from scipy.signal import lfilter  # noqa: PLC0415  the service knows what a requirement is, and starts without SciPy
+    from scipy.signal import lfilter  # noqa: PLC0415 - the service knows what a requirement is, and starts without SciPy
 
     kept = float(np.exp(-periods))
     mean = (1.0 - kept) / periods

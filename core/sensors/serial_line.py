@@ -33,7 +33,7 @@ class SerialLine:
             raise NotConnected("sensors-no-line", sensor=sensor, reason=str(error)[:100]) from error
 
     def _set_up(self, baud: int) -> None:
-        import termios  # noqa: PLC0415  not on every system; there the line is refused in words
+        import termios  # noqa: PLC0415 - not on every system; there the line is refused in words
 
         try:
             mode = termios.tcgetattr(self._file)

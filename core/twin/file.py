@@ -97,8 +97,8 @@ def check_twin(twin: Twin, cell: Cell) -> None:
     Raises:
         BadTwin: not so.
     """
-    from core.effects.library import find_effect, library  # noqa: PLC0415  seconds of compilers and numerics, see above
-    from core.twin.model import make_home_scene  # noqa: PLC0415  as above
+    from core.effects.library import find_effect, library  # noqa: PLC0415 - seconds of compilers and numerics, see above
+    from core.twin.model import make_home_scene  # noqa: PLC0415 - as above
 
     where = str(cell.folder / TWIN_FILE)
     scene = make_home_scene(cell)

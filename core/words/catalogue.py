@@ -72,7 +72,7 @@ def load_catalogue(language: Language) -> None:
 @cache
 def _read_file(language: Language, name: str) -> FluentBundle:
     """The library is loaded when the first message is worded, and each file when it is needed: most processes never word one."""
-    from fluent.runtime import FluentBundle, FluentResource  # noqa: PLC0415  most processes never word a message
+    from fluent.runtime import FluentBundle, FluentResource  # noqa: PLC0415 - most processes never word a message
 
     functions: dict[str, Callable[..., Any]] = {function: partial(format_number, language) for function, format_number in NUMBERS.items()}
     functions[PERSON] = _name_person
@@ -92,7 +92,7 @@ def find_language() -> Language:
 
 
 def _format(bundle: FluentBundle, code: str, part: str | None, parameters: Mapping[str, bool | float | str]) -> str:
-    from fluent.runtime.types import fluent_number  # noqa: PLC0415  as above
+    from fluent.runtime.types import fluent_number  # noqa: PLC0415 - as above
 
     entry = bundle.get_message(code)
     pattern = entry.value if part is None else entry.attributes[part]
@@ -138,7 +138,7 @@ def _mark(shown: str, language: Language) -> str:
 @cache
 def decimal_mark(language: Language) -> str:
     """What a language writes between the whole and the rest of a number."""
-    from babel.numbers import get_decimal_symbol  # noqa: PLC0415  as above: most processes never word a message
+    from babel.numbers import get_decimal_symbol  # noqa: PLC0415 - as above: most processes never word a message
 
     return get_decimal_symbol(language)
 

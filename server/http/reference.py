@@ -17,7 +17,7 @@ FOLDER = Path(__file__).parent
 
 def render_reference(openapi: Json, asyncapi: Json) -> str:
     """All operations, websockets and schemas, each with its fields, units and examples."""
-    import jinja2  # noqa: PLC0415  the service starts sooner without it
+    import jinja2  # noqa: PLC0415 - the service starts sooner without it
 
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(FOLDER), autoescape=True, undefined=jinja2.ChainableUndefined, trim_blocks=True, lstrip_blocks=True

@@ -221,8 +221,8 @@ def list_kinds(code: str) -> list[str]:
 @cache
 def read_words() -> dict[str, Words]:
     """Every message of the catalogue; read for descriptions alone."""
-    from fluent.syntax import FluentParser, FluentSerializer  # noqa: PLC0415  for descriptions alone
-    from fluent.syntax import ast as ftl  # noqa: PLC0415  for descriptions alone
+    from fluent.syntax import FluentParser, FluentSerializer  # noqa: PLC0415 - for descriptions alone
+    from fluent.syntax import ast as ftl  # noqa: PLC0415 - for descriptions alone
 
     entries: dict[str, ftl.Message] = {}
     for file in sorted((FOLDER / "en").glob("*.ftl")):
@@ -236,7 +236,7 @@ def read_words() -> dict[str, Words]:
 
 def _list_names(entry: ftl.Message, entries: dict[str, ftl.Message]) -> list[str]:
     """What its words name, those of the messages that it refers to included, each once, in their order."""
-    from fluent.syntax import ast as ftl  # noqa: PLC0415  for descriptions alone
+    from fluent.syntax import ast as ftl  # noqa: PLC0415 - for descriptions alone
 
     names: list[str] = [] if entry.value is not None else ["where"]
     waiting: list[Any] = [entry.value, *entry.attributes]

@@ -35,7 +35,7 @@ def unpack_recording(archive: Path, folder: Path) -> None:
 
 def _select_entries(zip_file: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
     """The recording's files by their bare names: where they lie in the zip does not matter, so no name leads anywhere."""
-    from core.recording.samples import FILES as SAMPLES  # noqa: PLC0415  the service starts sooner without Arrow
+    from core.recording.samples import FILES as SAMPLES  # noqa: PLC0415 - the service starts sooner without Arrow
 
     entries = [entry for entry in zip_file.infolist() if not entry.is_dir()]
     if len(entries) > MAX_FILES:

@@ -64,7 +64,7 @@ class Deliverer:
 
     @cached_property
     def _client(self) -> httpx2.AsyncClient:
-        import httpx2  # noqa: PLC0415  nothing may ever be due
+        import httpx2  # noqa: PLC0415 - nothing may ever be due
 
         return httpx2.AsyncClient(timeout=TIMEOUT_S, follow_redirects=False, transport=self._transport, trust_env=False)
 
@@ -105,7 +105,7 @@ class Deliverer:
         timestamp = str(round(self._now().timestamp()))
         signed = f"sha256={signature(webhook.secret, timestamp, delivery.body)}"
         headers = {"Content-Type": "application/json", DELIVERY: delivery.id, TIMESTAMP: timestamp, SIGNATURE: signed}
-        import httpx2  # noqa: PLC0415  nothing may ever be due
+        import httpx2  # noqa: PLC0415 - nothing may ever be due
 
         try:
             answer = await self._client.post(webhook.url, content=delivery.body, headers=headers)

@@ -35,11 +35,11 @@ class UtcTime(TypeDecorator[datetime]):
     impl = DateTime(timezone=True)
     cache_ok = True
 
-    def process_bind_param(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002  SQLAlchemy passes it
+    def process_bind_param(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002 - SQLAlchemy passes it
         """To UTC."""
         return None if value is None else value.astimezone(UTC)
 
-    def process_result_value(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002  SQLAlchemy passes it
+    def process_result_value(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002 - SQLAlchemy passes it
         """From UTC."""
         return None if value is None else value.replace(tzinfo=UTC) if value.tzinfo is None else value.astimezone(UTC)
 
@@ -48,7 +48,7 @@ class Table(DeclarativeBase):
     """Root of all tables."""
 
     metadata = MetaData(naming_convention=NAMES)
-    type_annotation_map = {datetime: UtcTime}  # noqa: RUF012  SQLAlchemy's own, read once and never changed
+    type_annotation_map = {datetime: UtcTime}  # noqa: RUF012 - SQLAlchemy's own, read once and never changed
 
 
 class Store:
@@ -81,7 +81,7 @@ class Store:
         with self._writing.begin() as connection:
             _wait_for_turn(connection, MIGRATION_LOCK)
             if not is_up_to_date(connection):
-                from server.store.migration import upgrade  # noqa: PLC0415  most starts need no Alembic, which takes its time to import
+                from server.store.migration import upgrade  # noqa: PLC0415 - most starts need no Alembic, which takes its time to import
 
                 upgrade(connection, MIGRATIONS)
 

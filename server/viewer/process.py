@@ -101,9 +101,9 @@ class ViewerProcess:
 def _show(cell: Cell, connection: Connection) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     take(Priority.VIEWER)
-    from server.viewer.in_the_way import Mark  # noqa: PLC0415  no other process needs viser
-    from server.viewer.scene import ViewerScene, open_server  # noqa: PLC0415  the same
-    from server.viewer.views import Views  # noqa: PLC0415  the same
+    from server.viewer.in_the_way import Mark  # noqa: PLC0415 - no other process needs viser
+    from server.viewer.scene import ViewerScene, open_server  # noqa: PLC0415 - the same
+    from server.viewer.views import Views  # noqa: PLC0415 - the same
 
     server = open_server()
     scene = ViewerScene(server, cell)

@@ -42,7 +42,7 @@ async def to_viewer(cell: str) -> RedirectResponse:
 @router.get("/{cell}/{path:path}")
 async def viewer_page(cell: str, request: Request, gallery: GalleryDep) -> Response:
     """The viewer's page; the path is what the page calls its view, or nothing."""
-    import httpx2  # noqa: PLC0415  the service starts sooner without it
+    import httpx2  # noqa: PLC0415 - the service starts sooner without it
 
     port = await gallery.port(cell)
     async with httpx2.AsyncClient(trust_env=False) as client:

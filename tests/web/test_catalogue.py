@@ -48,23 +48,23 @@ class Names(Visitor):
         self.people: set[str] = set()
         self.choices: dict[str, set[str]] = {}
 
-    def visit_FunctionReference(self, node: ftl.FunctionReference) -> None:  # noqa: N802  the library's name
+    def visit_FunctionReference(self, node: ftl.FunctionReference) -> None:  # noqa: N802 - the library's name
         named = {each.id.name for each in node.arguments.positional if isinstance(each, ftl.VariableReference)}
         if node.id.name == PERSON:
             self.people |= named
         else:
             self.printed |= named
 
-    def visit_SelectExpression(self, node: ftl.SelectExpression) -> None:  # noqa: N802  the library's name
+    def visit_SelectExpression(self, node: ftl.SelectExpression) -> None:  # noqa: N802 - the library's name
         if isinstance(node.selector, ftl.VariableReference):
             keys = {each.key.name if isinstance(each.key, ftl.Identifier) else each.key.value for each in node.variants}
             self.choices.setdefault(node.selector.id.name, set()).update(keys)
         self.generic_visit(node)
 
-    def visit_MessageReference(self, node: ftl.MessageReference) -> None:  # noqa: N802  the library's name
+    def visit_MessageReference(self, node: ftl.MessageReference) -> None:  # noqa: N802 - the library's name
         self.visit(self.messages[node.id.name])
 
-    def visit_VariableReference(self, node: ftl.VariableReference) -> None:  # noqa: N802  the library's name
+    def visit_VariableReference(self, node: ftl.VariableReference) -> None:  # noqa: N802 - the library's name
         self.plain.add(node.id.name)
 
 

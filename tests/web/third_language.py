@@ -21,7 +21,7 @@ KEPT_OUT = shutil.ignore_patterns("node_modules", "dist", "__pycache__", "*.pyc"
 class Translator(Transformer):
     """Marks the words of messages, and nothing that they name."""
 
-    def visit_TextElement(self, node: ftl.TextElement) -> ftl.TextElement:  # noqa: N802  the library's name
+    def visit_TextElement(self, node: ftl.TextElement) -> ftl.TextElement:  # noqa: N802 - the library's name
         words = re.sub(r"(?<=\w)(?=\W*$)", MARK, node.value, count=1)
         return ftl.TextElement(words)
 

@@ -92,7 +92,7 @@ def _of_orientation() -> Iterator[SetupSlip]:
 
 def _from_wxyz(rotation: Array) -> Array:
     """What was read as x y z w was w x y z."""
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  half of SciPy, for what is asked when something is wrong
+    from scipy.spatial.transform import Rotation  # noqa: PLC0415 - half of SciPy, for what is asked when something is wrong
 
     read = Rotation.from_matrix(rotation.reshape(-1, 3, 3)).as_quat()
     return np.asarray(Rotation.from_quat(read[:, [1, 2, 3, 0]]).as_matrix()).reshape(rotation.shape)

@@ -29,7 +29,7 @@ class SpooledTable:
 
     def __init__(self, where: str, columns: Sequence[str], frame: str | None) -> None:
         self.where, self.columns, self.frame = where, list(columns), frame
-        self.file = tempfile.SpooledTemporaryFile(max_size=IN_MEMORY_BYTES)  # noqa: SIM115  it is closed with the table
+        self.file = tempfile.SpooledTemporaryFile(max_size=IN_MEMORY_BYTES)  # noqa: SIM115 - it is closed with the table
         weakref.finalize(self, self.file.close)
         self.rows = 0
 
