@@ -13,8 +13,8 @@ from bench.calibration.trace import Trace, trace_of
 from core.effects.library import library
 from core.gap.basis import basis_of
 from core.gap.closure import gap_of
-from core.gap.effect_fit import EffectFit, fit_nominal
-from core.gap.evidence import gather
+from core.gap.effect_fit import fit_nominal
+from core.gap.evidence import Evidence, gather
 from core.gap.fit_all import one_by_one
 from core.gap.limits import GAP
 from core.gap.materiality import find_farthest, find_margins
@@ -70,7 +70,7 @@ def run_trial(seed: int) -> Trial:
         variants=planted.variants,
         size=planted.size,
         gap=gap_of(windows, evidence.nominal),
-        matters=bool(planted.families) and does_matter(windows, evidence.nominal, planted),
+        matters=bool(planted.families) and does_matter(windows, evidence, planted),
         material=evidence.material,
         margins=(margins.gap, margins.moved, None if np.isnan(margins.reference) else margins.reference),
         traces=tuple(trace_of(fit, planted.phi) for fit in (evidence.nominal, *evidence.singles, *evidence.joined)),
@@ -79,8 +79,9 @@ def run_trial(seed: int) -> Trial:
     )
 
 
-def does_matter(windows: Windows, nominal: EffectFit, planted: Planted) -> bool:
+def does_matter(windows: Windows, evidence: Evidence, planted: Planted) -> bool:
     """By the rules of `core.gap.materiality`, against what the same run comes to without what was planted: what noise and background do to
-    the payload is none of it."""
-    sound = fit_nominal(Windows(basis_of(planted.sound)))
-    return gap_of(windows, nominal) > GAP or find_farthest(nominal.phi - sound.phi, planted.phi, nominal.phi_std) > 1.0
+    the payload is none of it. How well that is known is what the fit of what was planted says."""
+    nominal, sound = evidence.nominal, fit_nominal(Windows(basis_of(planted.sound)))
+    std = next((fit.phi_std for fit in evidence.singles if fit.name in planted.families), sound.phi_std)
+    return gap_of(windows, nominal) > GAP or find_farthest(nominal.phi - sound.phi, planted.phi, std) > 1.0

@@ -25,7 +25,8 @@ class Margins(NamedTuple):
     Args:
         gap: what the nominal twin leaves on motions that it has not seen.
         moved: the farthest payload parameter, of what the best explanation does to the estimate and its uncertainty lets be said.
-        reference: the same of the estimate away from the reference; nan where nobody knows it, or something else is carried.
+        reference: the same of the estimate away from the reference, as well as the best explanation lets the payload be known; nan where
+            nobody knows it, or something else is carried.
     """
 
     gap: float
@@ -45,7 +46,7 @@ def find_margins(windows: Windows, nominal: EffectFit, best: EffectFit) -> Margi
     gap = float(np.sqrt(max(0.0, 1.0 + (float(nominal.held_out.mean()) - 1.0) / windows.samples_per_row)))
     reference, nothing = windows.basis.reference, not best.effects or gap < HIDDEN
     moved = 0.0 if nothing else find_farthest(best.phi - nominal.phi, best.phi, best.phi_std)
-    off = np.nan if reference is None else find_farthest(nominal.phi - reference, reference, nominal.phi_std)
+    off = np.nan if reference is None else find_farthest(nominal.phi - reference, reference, best.phi_std)
     if off > 1.0:
         off = 0.0 if nothing else off if is_doubtful(windows, nominal) else np.nan
     return Margins(gap / GAP, moved, off)

@@ -30,6 +30,8 @@ STIFF = 6
 """Parameters that a model is stiff with: it takes more of them to bend."""
 LEAST_SHARE = 1e-4
 """Of the gap: less than this is nothing left."""
+EXACT_SHARE = 1e-6
+"""Of the gap, by its square: no model is nearer to what it stands for, since every arm and sensor is off by a thousandth."""
 
 DOUBTS = ("unknown", "unknown_left", "mimicked", "lapse", "lapse_left")
 """Figures that say how far the library is trusted where its best fit leaves something."""
@@ -197,7 +199,7 @@ def score(numbers: Contest, figures: Mapping[str, float]) -> Array:
     """(..., 1 + n), log weights: how much worse than the best each predicts, less what its parameters cost, so that of two that predict
     alike the smaller one wins. The nominal twin is no approximation: what it predicts worse counts in full."""
     chi_square, free, further, least, rows = numbers
-    beyond = find_beyond_chance(least, rows)
+    beyond = np.maximum(find_beyond_chance(least, rows), EXACT_SHARE * (chi_square[..., :1] / rows - 1.0))
     scale, unit = 1.0 + beyond * rows / math.exp(figures["log_draws"]), np.maximum(1.0, least / rows)
     schwarz = figures["schwarz"] * np.log(rows * unit / scale)
     bent = 0.5 * math.exp(figures["log_bent"]) * np.maximum(0.0, chi_square[..., :1] - rows) / scale

@@ -103,6 +103,15 @@ def test_a_reference_that_the_estimate_agrees_with_counts_more_than_what_an_expl
     assert not is_material(windows_of(PHI), nominal, best)  # type: ignore[arg-type]  # all that is read
 
 
+def test_an_estimate_is_off_its_reference_by_what_the_best_explanation_knows_of_the_payload() -> None:
+    """What the gap does to the estimate makes it uncertain, too; the explanation takes that off."""
+    off = PHI + 0.05 * np.eye(10)[0]
+    vague, sharp = np.full(10, 0.05), np.full(10, 0.001)
+    windows = windows_of(PHI)
+    assert not is_material(windows, fit_of(off, std=vague), fit_of(PHI, std=vague))  # type: ignore[arg-type]  # all that is read
+    assert is_material(windows, fit_of(off, std=vague), fit_of(PHI, std=sharp))  # type: ignore[arg-type]  # all that is read
+
+
 def test_a_gap_matters_from_twice_the_noise_of_a_sample_on() -> None:
     """The mean square over samples of what the twin is off by is 4 times that of the noise; the excess of a window is 25 times as large."""
     for gap, material in ((1.97, False), (2.03, True)):

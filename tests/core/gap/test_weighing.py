@@ -46,6 +46,12 @@ def test_what_closes_the_gap_is_more_probable_the_less_it_leaves() -> None:
     assert shares[0] > 0.8
 
 
+def test_of_two_that_leave_next_to_nothing_of_a_large_gap_the_smaller_one_is_more_probable() -> None:
+    """A ten-thousandth of the excess is beyond chance, but no more than any arm's imperfections make; a hundredth is more."""
+    for left, first in ((0.08, 2), (10.0, 3)):
+        assert np.argmax(weigh(trace("none", 1000.0), [trace("few", left), trace("many", 0.0, 31)])) == first
+
+
 def test_where_no_gap_is_nothing_is_most_probable_and_with_a_large_one_it_is_out_of_the_question() -> None:
     assert np.argmax(weigh(trace("none", 0.0), [trace("a", 0.0), trace("b", 0.0, 12)])) == 0
     assert weigh(trace("none", 50.0), [trace("a", 10.0)])[0] < 0.01
