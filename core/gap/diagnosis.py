@@ -64,13 +64,14 @@ def examine(
         told = not_enough(reason.message, 0.0) if recording.wrench is not None else answer_joints(recording, reason.message)
         origin = None if folder is None or not told.also else find_origin(recording, folder, twin)
         return told.model_copy(update={"origin": origin, "seconds": time.perf_counter() - began}), None
-    contradiction = check_setup(recording).contradiction
-    if contradiction is not None:
-        return not_enough(contradiction, time.perf_counter() - began), None
+    setup, candidates = check_setup(recording), library() if effects is None else effects
+    if setup.contradiction is not None and setup.effect not in {effect.id for effect in candidates}:
+        return not_enough(setup.contradiction, time.perf_counter() - began), None
     terms = find_terms(twin, basis.scene)
     windows = Windows(basis, terms)
-    candidates = library() if effects is None else effects
     evidence = gather(windows, candidates, fit_all)
+    if setup.contradiction is not None and setup.effect in evidence.first_ids:
+        return not_enough(setup.contradiction, time.perf_counter() - began), None
     fine = None if evidence.material else find_what_rings(evidence.windows, evidence.nominal, evidence.best)
     if fine is not None:
         evidence = gather(fine, candidates, fit_all)

@@ -140,7 +140,8 @@ def descend(problem: Problem, beta: Array, theta: Array, *, iterations: int) -> 
     cost, damping = problem.cost(beta, theta), 1e-6
     for _ in range(iterations):
         new_beta, new_theta = problem.step(beta, theta, damping)
-        new_cost = problem.cost(new_beta, new_theta)
+        # where the load is absurd, derivatives overflow: no step then
+        new_cost = problem.cost(new_beta, new_theta) if np.isfinite(new_theta).all() and np.isfinite(new_beta).all() else np.inf
         if new_cost < cost:
             fell, cost, beta, theta, damping = cost - new_cost, new_cost, new_beta, new_theta, damping * 0.1
             if fell < max(CONVERGED, CONVERGED_SHARE * (cost - len(problem.target))):

@@ -70,6 +70,11 @@ class Evidence:
         explained = self.attribution.explained
         return explained[0][0] if explained and self.attribution.none < EXPLAINED else self.nominal
 
+    @property
+    def first_ids(self) -> frozenset[str]:
+        """Identifiers in the most probable explanation, however much speaks for it; none where nothing could be fitted."""
+        return frozenset(effect.id for fit, _ in self.attribution.explained[:1] for effect in fit.effects)
+
     @cached_property
     def mattering(self) -> float:
         """Probability that what is there matters, if anything is."""

@@ -19,6 +19,8 @@ from core.words.message import Message
 
 HEAVIEST_KG = 2000.0
 SHORTEST_LEVER_M = 0.003
+SAME_AS = {"setup-torque-about-another-point": "sensor_translation"}
+"""Effects of the library that do the same as a slip, by its message."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +36,12 @@ class SetUp:
     contradiction: Message | None = None
     remarks: tuple[Message, ...] = ()
     weighed: PayloadFit | None = None
+
+    @property
+    def effect(self) -> str | None:
+        """Identifier of the effect that does the same as the one slip which is named, so that a diagnosis can hold others against it."""
+        slip = None if self.contradiction is None else self.contradiction.parameters.get("slip")
+        return SAME_AS.get(slip.code) if isinstance(slip, Message) else None
 
 
 def check_setup(recording: Recording) -> SetUp:

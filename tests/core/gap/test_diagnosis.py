@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.effects.library import library
+from core.effects.library import find_effect, library
+from core.estimation.setup.check import SetUp
 from core.gap.attribution import attribute
 from core.gap.basis import basis_of
 from core.gap.closure import gap_of
@@ -20,7 +21,9 @@ from core.gap.weighing import find_left_share
 from core.gap.windows import Windows
 from core.recording.folder import read_recording
 from core.recording.recording import Recording
+from core.words.message import Message
 from tests.core.gap.recorded_run import recorded
+from tests.independent_logs import slipped_log
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
@@ -79,6 +82,21 @@ def test_the_whole_diagnosis_of_a_delay_names_it_and_leaves_the_recording_alone(
     assert diagnosis.gap.after < 1.05 < diagnosis.gap.before
     assert "20" in diagnosis.effects[0].advice.text
     np.testing.assert_array_equal(recording.wrench, before)
+
+
+def test_a_slip_that_an_effect_of_the_library_does_too_is_refused_only_where_no_other_explains_more(monkeypatch, tmp_path):
+    """A torque about a point 6 to 15 cm away is a sensor that sits elsewhere; a delay on which the check blames the same is a delay."""
+    with_sensor = (*FEW, find_effect("sensor_translation"))
+    slipped = read_recording(slipped_log("torque point", 1).write(tmp_path / "log"))
+    told = diagnose(slipped, effects=with_sensor)
+    assert (told.verdict, told.lacking.parameters["slip"].code) == ("not_enough", "setup-torque-about-another-point")
+    monkeypatch.setattr("core.gap.diagnosis.check_setup", lambda recording: SetUp(told.lacking))
+    late = diagnose(recorded(delay_s=0.02), effects=with_sensor)
+    assert (late.verdict, late.effects[0].id) == ("explained", "time_delay")
+    assert diagnose(recorded(delay_s=0.02), effects=FEW).lacking == told.lacking  # nothing to hold against it
+    units = Message.of("setup-motion-agrees", slip=Message.of("setup-force-in", unit="kgf"))
+    monkeypatch.setattr("core.gap.diagnosis.check_setup", lambda recording: SetUp(units))
+    assert diagnose(recorded(delay_s=0.02), effects=with_sensor).lacking == units
 
 
 def test_a_real_recording_without_wrench_is_answered_with_what_is_missing():

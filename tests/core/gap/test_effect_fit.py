@@ -15,7 +15,7 @@ from core.effects.hysteresis_that_snaps import HysteresisThatSnaps
 from core.effects.payload_shift import PayloadShift
 from core.effects.sensor_translation import SensorTranslation
 from core.gap.basis import basis_of
-from core.gap.effect_fit import fit_effects, fit_nominal, go_rest_of_way, predict_held_out
+from core.gap.effect_fit import descend, fit_effects, fit_nominal, go_rest_of_way, predict_held_out
 from core.gap.problem import SMALL, Problem, parameters_of
 from core.gap.windows import Windows
 from tests.foreign_recordings import make_long
@@ -103,3 +103,14 @@ def test_a_fit_stays_within_what_is_small_from_whatever_estimate_it_starts() -> 
     nothing = np.array([p.absent for p in parameters_of(windows, PayloadShift())])
     fit = fit_effects(windows, (PayloadShift(),), replace(nominal, beta=beta), [nothing])
     assert np.all((fit.beta >= least) & (fit.beta <= most))
+
+
+def test_a_step_that_overflows_is_not_taken() -> None:
+    """Derivatives of an absurd load do; what is known by then stays."""
+    box = np.array([[-1.0] * 3, [1.0] * 3])
+    problem = SimpleNamespace(
+        bounds=box, target=np.zeros(6), cost=lambda beta, theta: float(beta @ beta), step=lambda *_: (np.full(2, np.nan), np.zeros(1))
+    )
+    cost, beta, theta = descend(problem, np.full(2, 0.5), np.zeros(1), iterations=5)  # type: ignore[arg-type]  # all that is read
+    assert cost == 0.5
+    assert np.isfinite([*beta, *theta]).all()
