@@ -2,7 +2,8 @@
 
 e is what the link is ahead of its motor, tau what the rigid arm along the motors' motion asks of the joints. Solved for
 `z = C^-1/2 e`, C = 1/K: rigid joints (C = 0) need no case of their own, and each mode of `C^1/2 M C^1/2` is one over the square of its
-angular frequency.
+angular frequency. Springs may lose: beside each acts Dahl's friction, `r K b s` with `ds = (1 - sign(de) s) de / b`, by which they are
+1 + r times as stiff after a turn back, until they have given way by about b.
 """
 
 from __future__ import annotations
@@ -21,11 +22,18 @@ BETA = 0.25 * (0.5 + GAMMA) ** 2
 
 
 def deflection(
-    inertia: Array, load: Array, compliance: Array, damping: float, period: float, past: Past | None = None, share: float = 1.0
+    inertia: Array,
+    load: Array,
+    compliance: Array,
+    damping: float,
+    period: float,
+    past: Past | None = None,
+    share: float = 1.0,
+    loss: tuple[float, float] = (0.0, 1.0),
 ) -> tuple[Array, Array]:
     """Deflection (N, n), rad, and its second derivative, rad/s2, of joints that follow their load when the run begins.
 
-    Newmark, A method of computation for structural dynamics, 1959.
+    Newmark, A method of computation for structural dynamics, 1959; Dahl, A solid friction model, 1968, relaxed when the run begins.
 
     Args:
         inertia: (N, n, n), of the links in joint coordinates, kg m2.
@@ -35,13 +43,14 @@ def deflection(
         period: of the rows, s.
         past: of a run that comes in blocks.
         share: of the inertia that swings.
+        loss: r, by how much stiffer the springs are after a turn back, as a share; and b, rad.
     """
     past = past or Past()
     soft = np.flatnonzero(compliance > 0.0)
     root = np.sqrt(compliance[soft])
     pull = -load[:, soft] * root
-    start = np.stack([pull[0], np.full_like(root, np.nan), np.zeros_like(root), pull[0]]) if past.rows is None else past.rows
-    z, acceleration, end = _swing(inertia, share, soft, root, pull, start, damping, period, past.rows is None)
+    start = np.stack([pull[0], np.full_like(root, np.nan), np.zeros_like(root), pull[0], np.zeros_like(root)]) if past.rows is None else past.rows
+    z, acceleration, end = _swing(inertia, share, soft, root, pull, start, damping, period, past.rows is None, loss)
     past.rows = end
     error, second = np.zeros_like(load), np.zeros_like(load)
     error[:, soft], second[:, soft] = root * z, root * acceleration
@@ -59,13 +68,16 @@ def _swing(
     damping: float,
     h: float,
     at_rest: bool,
+    loss: tuple[float, float],
 ) -> tuple[Array, Array, Array]:
-    """z, z'' (N, k) and the end (4, k): z, z', z'' and the pull on it; `start` likewise, its z' NaN until the second row of the run."""
+    """z, z'' (N, k) and the end (5, k): z, z', z'', the pull on it and Dahl's s; `start` likewise, its z' NaN until the second row of the
+    run."""
     N, k = pull.shape
     out, second = np.empty((N, k)), np.empty((N, k))
     end = start.copy()
-    z, v, a, before = end[0], end[1], end[2], end[3]
-    A, one_over, d, x = np.empty((k, k)), np.empty(k), np.empty(k), np.empty(k)
+    z, v, a, before, s = end[0], end[1], end[2], end[3], end[4]
+    stiffer, bend = loss
+    A, one_over, d, x, y = np.empty((k, k)), np.empty(k), np.empty(k), np.empty(k), np.empty(k)
     for t in range(N):
         if t > 0 or not at_rest:
             for i in range(k):
@@ -74,17 +86,23 @@ def _swing(
                 for j in range(i + 1):
                     A[i, j] = root[i] * root[j] * (share * inertia[t, soft[i], soft[j]])
                 d[i] = 2.0 * damping * np.sqrt(max(A[i, i], 0.0))
-                A[i, i] += GAMMA * h * d[i] + BETA * h * h
+                tangent = stiffer * (1.0 - np.sign(v[i]) * s[i])  # of Dahl's friction on the way that it goes
+                A[i, i] += GAMMA * h * d[i] + BETA * h * h * (1.0 + tangent)
             _factorise(A, one_over, 0.01 * h * h)
             for i in range(k):
-                z[i] += h * v[i] + (0.5 - BETA) * h * h * a[i]
+                way = h * v[i] + (0.5 - BETA) * h * h * a[i]
+                held = stiffer * (bend / root[i] * s[i] + (1.0 - np.sign(v[i]) * s[i]) * way)
+                y[i] = z[i]
+                z[i] += way
                 v[i] += (1.0 - GAMMA) * h * a[i]
-                x[i] = pull[t, i] - d[i] * v[i] - z[i]
+                x[i] = pull[t, i] - d[i] * v[i] - z[i] - held
             _solve(A, one_over, x)
             for i in range(k):
                 a[i] = x[i]
                 v[i] += GAMMA * h * a[i]
                 z[i] += BETA * h * h * a[i]
+                turned = root[i] * (z[i] - y[i])
+                s[i] = np.sign(turned) + (s[i] - np.sign(turned)) * np.exp(-abs(turned) / bend)
         for i in range(k):
             out[t, i], second[t, i], before[i] = z[i], a[i], pull[t, i]
     return out, second, end

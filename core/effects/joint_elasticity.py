@@ -36,11 +36,17 @@ class JointElasticity(Effect):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus what the payload asks more with joints at `q + e`, e from `share M e'' + D e' + K e = -tau`."""
-        share, damping = theta[-2:]
+        n, past = joint_count(scene), scene.past("deflection")
+        share, damping = theta[n : n + 2]
         error, acceleration = deflection(
-            scene.joint_inertia, rigid_load(scene), theta[:-2], damping, scene.period, scene.past("deflection"), share
+            scene.joint_inertia, rigid_load(scene), theta[:n], damping, scene.period, past, share, self.find_loss(theta)
         )
         return w + wrench_change(scene, true_motion(scene, error, acceleration))
+
+    def find_loss(self, theta: Array) -> tuple[float, float]:
+        """By how much stiffer the springs are after a turn back, as a share, and until how far, rad: not at all."""
+        del theta
+        return 0.0, 1.0
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Joints from stiff to soft with the inertia that is known, well damped so that a wrong frequency still points to the right one;
@@ -56,7 +62,7 @@ class JointElasticity(Effect):
     def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises entering the stiffness in the twin: for the joint that gives most its stiffness, N m/rad, and deflection, deg."""
         most = np.abs(rigid_load(scene)).max(axis=0)
-        j = find_largest_joint(theta[:-2] * most)
+        j = find_largest_joint(theta[: len(most)] * most)
         if theta[j] <= 0:
             return Message.of("advice-joint-elasticity-rigid")
         return Message.of("advice-joint-elasticity", joint=j + 1, stiffness_nm_per_rad=1.0 / theta[j], give_rad=theta[j] * most[j])
