@@ -49,7 +49,11 @@ def deflection(
     soft = np.flatnonzero(compliance > 0.0)
     root = np.sqrt(compliance[soft])
     pull = -load[:, soft] * root
-    start = np.stack([pull[0], np.full_like(root, np.nan), np.zeros_like(root), pull[0], np.zeros_like(root)]) if past.rows is None else past.rows
+    start = (
+        np.stack([pull[0], np.full_like(root, np.nan), np.zeros_like(root), pull[0], np.zeros_like(root)])
+        if past.rows is None
+        else past.rows
+    )
     z, acceleration, end = _swing(inertia, share, soft, root, pull, start, damping, period, past.rows is None, loss)
     past.rows = end
     error, second = np.zeros_like(load), np.zeros_like(load)

@@ -208,12 +208,14 @@ class Problem:
 
 
 def parameters_of(windows: Windows, effect: Effect) -> tuple[Parameter, ...]:
-    """The effect's parameters in this recording; those of an effect that the twin has are absent at what the twin has of it."""
+    """The effect's parameters in this recording; those of an effect that the twin has are absent at what the twin has of it, and what a
+    richer shape of it has besides stays as it is."""
     known = {term.effect.id: term.theta for term in windows.held}
     parameters = effect.parameters(windows.basis.scene.with_phi(windows.phi))
     if effect.id not in known:
         return parameters
-    return tuple(replace(p, absent=float(value)) for p, value in zip(parameters, known[effect.id], strict=True))
+    stated = tuple(replace(p, absent=float(value)) for p, value in zip(parameters, known[effect.id], strict=False))
+    return (*stated, *parameters[len(stated) :])
 
 
 def find_smaller(windows: Windows, effect: Effect) -> int | None:

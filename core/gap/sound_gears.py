@@ -19,12 +19,14 @@ ONE_IS_ENOUGH = 0.005
 up what a model gets wrong."""
 EXPLAIN = 0.5
 """They have to explain at least this share of what the best explanation without them leaves,"""
+BESIDE = 4
+"""Single effects beside which they are sought: beside the cause they explain the rest, though what bends more explains more alone."""
 AS_SOFTER = 0.9
 """and among several effects at once this share of what joints of any stiffness explain in their place."""
 
 
 def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectFit], fit_all: FitAll) -> Term | None:
-    """The gears as they show beside the best single effect, or beside none; None where they do not show.
+    """The gears as they show beside one of the best single effects, or beside none; None where they do not show.
 
     Whether softer joints would explain the gap better is looked at first: then they are the effect.
     """
@@ -35,7 +37,7 @@ def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectF
     if gears.explain_absence(scene) is not None or scene.apart or (left < ONE_IS_ENOUGH and not soft):
         return None
     others = [fit for fit in singles if fit.name != gears.id]
-    bases = [nominal, *sorted(others, key=lambda fit: fit.chi_square)[:1]]
+    bases = [nominal, *sorted(others, key=lambda fit: fit.chi_square)[:BESIDE]]
     starts = gears.starts(scene, windows.on_grid(nominal.residual))
     found = fit_all(windows, [add_effect(windows, base, gears, starts) for base in bases])
     base, fit = min(zip(bases, found, strict=True), key=lambda pair: pair[1].chi_square)

@@ -10,9 +10,11 @@ import numpy as np
 import pytest
 
 from core.effects.composition import Term
+from core.effects.elasticity_that_loses import ElasticityThatLoses
 from core.effects.joint_elasticity import JointElasticity
 from core.effects.library import library
 from core.effects.payload_mass_change import PayloadMassChange
+from core.effects.time_delay import TimeDelay
 from core.estimation.gears import SOFTEST_RAD_PER_NM, SoundGears
 from core.events import drive
 from core.gap.basis import basis_of
@@ -22,7 +24,8 @@ from core.gap.effect_fit import fit_effects, fit_nominal
 from core.gap.evidence import Evidence, gather
 from core.gap.fit_all import Found, Job, Task, one_by_one
 from core.gap.partners import add_effect
-from core.gap.sound_gears import find_gears_among, hold_gears
+from core.gap.problem import Problem
+from core.gap.sound_gears import find_gears_among, find_sound_gears, hold_gears
 from core.gap.windows import Windows
 from core.plant.faults import Fault
 from core.plant.faults.joint_springs import ElasticJoints
@@ -139,6 +142,29 @@ def test_gears_that_were_found_beside_less_give_way_to_those_that_show_beside_se
     assert found is not None
     assert np.median(found.theta[:6]) == pytest.approx(1.0 / 24e3, rel=0.3)
     assert hold_gears(windows, found).held == (found,)
+
+
+def test_gears_show_beside_the_cause_though_something_else_bends_more() -> None:
+    windows = Windows(basis_of(moved(SOUND, LOST)))
+    nominal = fit_nominal(windows)
+    scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
+    lost = fit_effects(windows, (PayloadMassChange(),), nominal, PayloadMassChange().starts(scene, residual))
+    late = fit_effects(windows, (TimeDelay(),), nominal, TimeDelay().starts(scene, residual))
+    bends = replace(late, held_out=0.999 * lost.held_out)
+    found = find_sound_gears(windows, nominal, [bends, lost], one_by_one)
+    assert found is not None
+    assert np.median(found.theta[:6]) == pytest.approx(1.0 / 24e3, rel=0.3)
+
+
+def test_springs_that_lose_are_sought_as_a_change_of_gears_that_are_always_on() -> None:
+    gears = Term(JointElasticity(), np.array([*[4e-5] * 6, 1.0, 0.1]))
+    windows = hold_gears(Windows(basis_of(moved(SOUND))), gears)
+    problem = Problem(windows, (ElasticityThatLoses(),))
+    assert problem.absent[:8].tolist() == gears.theta.tolist()
+    assert problem.absent[8:].tolist() == [0.0, 1e-3]
+    assert problem.change(problem.absent, windows.basis.scene) == pytest.approx(
+        Problem(windows, ()).change(np.zeros(0), windows.basis.scene)
+    )
 
 
 @pytest.mark.thorough
