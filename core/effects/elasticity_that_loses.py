@@ -14,8 +14,10 @@ BEGINNINGS = ((1.0, 3e-4), (1.0, 1e-3), (1.0, 3e-3))
 
 
 class ElasticityThatLoses(JointElasticity):
-    """The same springs with Dahl's friction beside each: 1 + r times as stiff after a turn back, until they have given way by about b (Dahl,
-    A solid friction model, 1968; hysteresis of harmonic drives: Tuttle and Seering, 1996)."""
+    """The same springs with Dahl's friction beside each: 1 + r times as stiff after a turn back, until they have given way by about b.
+
+    Dahl, A solid friction model, 1968; hysteresis of harmonic drives: Tuttle and Seering, 1996.
+    """
 
     wider_shape = True
     followed = 2

@@ -90,12 +90,12 @@ def test_a_slip_that_an_effect_of_the_library_does_too_is_refused_only_where_no_
     slipped = read_recording(slipped_log("torque point", 1).write(tmp_path / "log"))
     told = diagnose(slipped, effects=with_sensor)
     assert (told.verdict, told.lacking.parameters["slip"].code) == ("not_enough", "setup-torque-about-another-point")
-    monkeypatch.setattr("core.gap.diagnosis.check_setup", lambda recording: SetUp(told.lacking))
+    monkeypatch.setattr("core.gap.diagnosis.check_setup", lambda _: SetUp(told.lacking))
     late = diagnose(recorded(delay_s=0.02), effects=with_sensor)
     assert (late.verdict, late.effects[0].id) == ("explained", "time_delay")
     assert diagnose(recorded(delay_s=0.02), effects=FEW).lacking == told.lacking  # nothing to hold against it
     units = Message.of("setup-motion-agrees", slip=Message.of("setup-force-in", unit="kgf"))
-    monkeypatch.setattr("core.gap.diagnosis.check_setup", lambda recording: SetUp(units))
+    monkeypatch.setattr("core.gap.diagnosis.check_setup", lambda _: SetUp(units))
     assert diagnose(recorded(delay_s=0.02), effects=with_sensor).lacking == units
 
 

@@ -109,7 +109,7 @@ def test_a_step_that_overflows_is_not_taken() -> None:
     """Derivatives of an absurd load do; what is known by then stays."""
     box = np.array([[-1.0] * 3, [1.0] * 3])
     problem = SimpleNamespace(
-        bounds=box, target=np.zeros(6), cost=lambda beta, theta: float(beta @ beta), step=lambda *_: (np.full(2, np.nan), np.zeros(1))
+        bounds=box, target=np.zeros(6), cost=lambda beta, _: float(beta @ beta), step=lambda *_: (np.full(2, np.nan), np.zeros(1))
     )
     cost, beta, theta = descend(problem, np.full(2, 0.5), np.zeros(1), iterations=5)  # type: ignore[arg-type]  # all that is read
     assert cost == 0.5
