@@ -1,44 +1,31 @@
-"""Errors of a joint that repeat with its angle. Compiled."""
+"""Errors of a joint that repeat with its angle."""
 
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
 from core.array import Array
+from core.effects.joint_waves import JointWaves
 from core.effects.scene import Scene
 
 
 def angle_wave(scene: Scene, order: Array, c: Array, s: Array) -> tuple[Array, Array]:
     """`c cos(order q) + s sin(order q)` per joint as the scene's windows show it, rad, and its second derivative, rad/s2.
 
-    (N, n) each.
+    (N, n) each. Where the run is one that much is fitted to, joints whose waves are as before are not worked out again: a derivative
+    changes one at a time.
 
     Args:
-        order: (n,), waves per turn.
-        c, s: (n,), rad.
+        order: (n,), waves per turn; or (n, m), of waves that add up.
+        c, s: likewise, rad.
     """
     if scene.q is None or scene.dq is None:
         raise ValueError("errors of joints need a scene with joints (see Effect.explain_lack)")
     q, dq = scene.past("wave q").before(scene.q, 1), scene.past("wave dq").before(scene.dq, 1)
-    error, acceleration = _wave(q, dq, *(np.ascontiguousarray(x) for x in (order, c, s)), scene.period, max(scene.window, scene.period))
-    return error[-len(scene) :], acceleration[-len(scene) :]
-
-
-@njit(cache=True)
-def _wave(q: Array, dq: Array, order: Array, c: Array, s: Array, period: float, window: float) -> tuple[Array, Array]:
-    N, n = q.shape
-    error = np.zeros((N, n))
-    acceleration = np.zeros((N, n))
-    for j in range(n):
-        if c[j] == 0.0 and s[j] == 0.0:
-            continue
-        for k in range(N):
-            rate = order[j] * dq[k, j]
-            growth = order[j] * (dq[k, j] - dq[max(k - 1, 0), j]) / period
-            x = 0.5 * rate * window
-            visible = (np.sin(x) / x) ** 4 if abs(x) > 1e-3 else 1.0  # what cubic B-splines leave of a sine
-            cos, sin = visible * np.cos(order[j] * q[k, j]), visible * np.sin(order[j] * q[k, j])
-            error[k, j] = c[j] * cos + s[j] * sin
-            acceleration[k, j] = growth * (s[j] * cos - c[j] * sin) - rate * rate * error[k, j]
+    known = JointWaves() if scene.joint_waves is None or scene.memory is not None else scene.joint_waves
+    waves = np.stack([np.asarray(x).reshape(len(order), -1) for x in (order, c, s)], axis=-1)
+    error, acceleration = np.zeros((2, len(scene), len(order)))
+    for j in np.flatnonzero(waves[:, :, 1:].any(axis=(1, 2))):
+        found = known.find(q, dq, int(j), waves[j], scene.period, max(scene.window, scene.period))
+        error[:, j], acceleration[:, j] = found[:, -len(scene) :]
     return error, acceleration

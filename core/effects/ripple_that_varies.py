@@ -49,14 +49,12 @@ class RippleThatVaries(GearRipple):
         n = joint_count(scene)
         ratio, cos, sin = theta[: 3 * n].reshape(-1, 3).T
         over_cos, over_sin, u, v = theta[3 * n :].reshape(-1, 4).T
-        error, acceleration = np.zeros((2, len(scene), n))
+        waves = []
         for order, c, s in ((2.0 * ratio, cos, sin), (4.0 * ratio, over_cos, over_sin)):
             # (u cos q + v sin q) (c cos x + s sin x) is one wave in x - q and one in x + q
             behind, ahead = (u * c + v * s, u * s - v * c), (u * c - v * s, u * s + v * c)
-            for wave, a, b in ((order, c, s), (order - 1, *np.divide(behind, 2.0)), (order + 1, *np.divide(ahead, 2.0))):
-                seen = angle_wave(scene, wave, a, b)
-                error += seen[0]
-                acceleration += seen[1]
+            waves += [(order, c, s), (order - 1, *np.divide(behind, 2.0)), (order + 1, *np.divide(ahead, 2.0))]
+        error, acceleration = angle_wave(scene, *np.array(waves).transpose(1, 2, 0))
         return w + wrench_change(scene, true_motion(scene, error, acceleration))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:

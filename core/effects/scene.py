@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.effects.joint_twists import JointTwists
+from core.effects.joint_waves import JointWaves
 from core.effects.link_loads import LazyLinkLoads
 from core.effects.memory import Memory, Past
 from core.payload.inertia import Motion, spatial_inertia
@@ -45,6 +46,7 @@ class Scene:
         residual_window: the same of what residuals on its rows are means over, beyond that; 0 where they are as fine as the rows.
         memory: of the rows before the first, for a run that is simulated in blocks; None for a run as a whole.
         joint_twists: of this run as a whole, where much is fitted to it; worked out whenever it is asked for where absent.
+        joint_waves: of errors that repeat with a joint's angle, likewise.
         apart: whether each row is a pose by itself, and nothing is known of the way from one to the next.
     """
 
@@ -69,6 +71,7 @@ class Scene:
     residual_window: float = 0.0
     memory: Memory | None = None
     joint_twists: JointTwists | None = None
+    joint_waves: JointWaves | None = None
     apart: bool = False
 
     def __len__(self) -> int:
@@ -88,7 +91,7 @@ class Scene:
     def __getitem__(self, rows: slice) -> Scene:
         """Some rows of the run, which keep its period."""
         cut: dict[str, Any] = {name: None if (x := getattr(self, name)) is None else x[rows] for name in PER_ROW}
-        return replace(self, step=self.period, joint_twists=None, **cut)
+        return replace(self, step=self.period, joint_twists=None, joint_waves=None, **cut)
 
     @property
     def period(self) -> float:

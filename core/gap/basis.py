@@ -10,6 +10,7 @@ from scipy.sparse import csr_array, eye_array
 
 from core.array import Array, interpolate
 from core.effects.joint_twists import find_joint_twists
+from core.effects.joint_waves import JointWaves
 from core.errors import HeftError
 from core.estimation.kinematics import Poses, axial, poses_of, smooth_motion
 from core.estimation.lost_rows import is_broken
@@ -160,7 +161,7 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
     if equations.at_rest:
         V = regressor_of(-g, np.zeros_like(B))
     twists = None if scene.jacobian is None or scene.dq is None else find_joint_twists(scene.jacobian, scene.dq)
-    scene = replace(scene, noise=noise.std, residual_window=equations.step, joint_twists=twists)
+    scene = replace(scene, noise=noise.std, residual_window=equations.step, joint_twists=twists, joint_waves=JointWaves())
     measured, zero_std = np.asarray(reading @ wrench), find_zero_std(recording)
     return Basis(poses, noise, segments, scene, measured, V, reference, zero_std, spread, reading, raw.difference, equations)
 

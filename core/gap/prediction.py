@@ -121,7 +121,7 @@ def append_scene(scene: Scene, ahead: Scene) -> Scene:
     links = None if scene.links is None else LazyLinkLoads(partial(_append_loads, scene.links, ahead.links, len(ahead)))
     motion = Motion(*[np.concatenate((getattr(scene.motion, k), getattr(ahead.motion, k))) for k in ("g", "a", "omega", "alpha")])
     t = np.concatenate((scene.t, scene.t[-1] + BETWEEN_RUNS_S + ahead.t - ahead.t[0]))
-    return replace(scene, t=t, motion=motion, links=links, joint_twists=None, **rows)
+    return replace(scene, t=t, motion=motion, links=links, joint_twists=None, joint_waves=None, **rows)
 
 
 def _append_loads(first: LazyLinkLoads, then: LazyLinkLoads | None, count: int) -> LinkLoads:
