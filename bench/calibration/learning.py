@@ -118,7 +118,7 @@ def predict_left_out(trials: Sequence[Trial]) -> LeftOut:
         for trial in trials:
             if group_of(trial) == group:
                 there = weigh_numbers(count(trial.traces[0], trial.traces[1:]), figures)
-                mattering = float(find_mattering(np.array(trial.margins, dtype=float), matters))
+                mattering = float(find_mattering(np.array(trial.margins, dtype=float), matters, float(there[1])))
                 found.there[trial.seed] = there
                 found.told[trial.seed] = np.append(1.0 - mattering * (1.0 - there[0]), mattering * there[1:])
     return found

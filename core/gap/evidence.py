@@ -79,7 +79,7 @@ class Evidence:
     def mattering(self) -> float:
         """Probability that what is there matters, if anything is."""
         margins = find_margins(self.windows, self.nominal, self.best)
-        return float(find_mattering(np.array(margins), read_figures().matters))
+        return float(find_mattering(np.array(margins), read_figures().matters, self.attribution.unknown))
 
     @property
     def none(self) -> float:

@@ -217,16 +217,17 @@ def find_doubts(left: Array, figures: Mapping[str, float]) -> tuple[Array, Array
     return mimicked + (1.0 - mimicked) * unknown, lapse
 
 
-def find_mattering(margins: Array, matters: Mapping[str, tuple[float, float]]) -> Array:
+def find_mattering(margins: Array, matters: Mapping[str, tuple[float, float]], unknown: float = 0.0) -> Array:
     """(...), probability that what is there matters: by the gap, or by the payload, where the reference counts if there is one.
 
     Args:
         margins: (..., 3), each of `core.gap.materiality.Margins`.
+        unknown: probability that no explanation is the cause: then what one moves in the payload says nothing.
     """
     gap, moved, reference = (
         expit(at + by * np.log(np.maximum(margins[..., k], NOTHING))) for k, (at, by) in enumerate(matters[name] for name in MEASURES)
     )
-    return np.asarray(1.0 - (1.0 - gap) * (1.0 - np.where(np.isnan(reference), moved, reference)))
+    return np.asarray(1.0 - (1.0 - gap) * (1.0 - np.where(np.isnan(reference), (1.0 - unknown) * moved, reference)))
 
 
 def _score_nearness(numbers: Contest) -> Array:

@@ -46,6 +46,12 @@ def test_either_measure_is_enough_and_a_reference_that_agrees_counts_more_than_a
     assert p[-1] == pytest.approx(1.0 / (1.0 + np.exp(-0.3)), abs=1e-3)
 
 
+def test_what_an_explanation_moves_counts_as_far_as_it_may_be_the_cause() -> None:
+    margins = np.array([[0.5, 30.0, np.nan], [0.5, 0.0, 30.0], [3.0, 0.0, np.nan]])
+    p = find_mattering(margins, WORLD, unknown=0.8)
+    assert p == pytest.approx([0.2, 1.0, 1.0], abs=0.01)
+
+
 def test_what_is_told_counts_what_does_not_matter_as_none() -> None:
     trials = trials_of(WORLD, referred=True)[:60]
     there, told = predict_left_out(trials)
