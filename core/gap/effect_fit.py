@@ -18,6 +18,7 @@ from core.estimation.quadratic import find_bounded_minimum, inverse, solve_scale
 from core.gap.clustered import enlarge_covariance
 from core.gap.problem import Problem
 from core.gap.spared_noise import take_off_noise
+from core.gap.weighing import find_beyond_chance
 from core.gap.windows import PHI, Windows
 
 ITERATIONS = 24
@@ -47,8 +48,7 @@ class EffectFit:
         held_out: (6, K), chi-square of each row predicted from the other motions, its own prediction's uncertainty counted, and what
             the effects spare themselves by smoothing noise given back.
         change: (6, K), what the effects add, whitened.
-        following: how many parameters those are worth that merely follow the course of a run, each as far as the recording and not its
-            prior says what it is (MacKay, Bayesian Interpolation, 1992).
+        following: how many parameters those are worth that merely follow the course of a run (`count_following`).
         kept_absent: how many of the parameters were kept absent: a smaller shape of the effect.
     """
 
@@ -169,7 +169,7 @@ def _finish(problem: Problem, beta: Array, theta: Array) -> EffectFit:
     held_out = predict_held_out(problem.windows, columns[:, free], rest, problem.precision[free]) + owed / rest.size
     held_out = take_off_noise(held_out, problem, theta, beta)
     covariance = inverse(normal)
-    hidden = [k for k, p in enumerate(problem.parameters) if not p.shown]
+    hidden = [len(beta) + k for k, p in enumerate(problem.parameters) if not p.shown]
     shape = problem.windows.target.shape
     return EffectFit(
         problem.effects,
@@ -183,8 +183,22 @@ def _finish(problem: Problem, beta: Array, theta: Array) -> EffectFit:
         log_evidence,
         held_out,
         rows.reshape(shape),
-        float(sum(1.0 - problem.precision[len(beta) + k] * covariance[len(beta) + k, len(beta) + k] for k in hidden)),
+        count_following(problem.precision[hidden], np.diag(covariance)[hidden], held_out),
     )
+
+
+def count_following(precision: Array, variance: Array, held_out: Array) -> float:
+    """How many parameters n are worth, each as far as the recording and not its prior says what it is (MacKay, Bayesian Interpolation, 1992).
+
+    What a fit leaves beyond chance is its own error, and all of it worth one draw, as explanations are weighed (`core.gap.weighing`):
+    so much less says the recording.
+
+    Args:
+        precision: (n,), of the priors. variance: (n,), as far as noise goes. held_out: chi-square of each row.
+    """
+    told = 1.0 / (precision * variance) - 1.0
+    doubt = 1.0 + float(find_beyond_chance(held_out.sum(), np.asarray(held_out.size)) * held_out.size)
+    return float((told / (told + doubt)).sum())
 
 
 def go_rest_of_way(problem: Problem, here: Array, free: NDArray[np.bool_], columns: Array, r: Array, cost: float) -> tuple[Array, float]:
