@@ -55,6 +55,15 @@ def test_a_walk_is_known_by_five_short_holds(condition: Condition, wanders: bool
         assert wanders_in_holds(scene, windows.on_grid(nominal.residual)) == wanders
 
 
+def test_a_walk_is_a_drift_though_it_follows_the_run_by_many_parameters() -> None:
+    few = [effect for effect in library() if effect.id in ("sensor_drift", "sensor_offset_step", "sensor_creep")]
+    evidence = gather(Windows(basis_of(make(Condition(walk_n=0.04), 0).recording)), few, one_by_one)
+    best, probability = evidence.attribution.explained[0]
+    assert best.name == "sensor_drift"
+    assert probability > 0.7
+    assert best.free < 30
+
+
 def test_an_arm_that_speeds_up_at_the_end_of_a_hold_is_no_noise_of_the_sensor() -> None:
     recording = make(Condition(rate_hz=1000.0), 0).recording
     windows = Windows(basis_of(recording))

@@ -15,7 +15,7 @@ from core.effects.hysteresis_that_snaps import HysteresisThatSnaps
 from core.effects.payload_shift import PayloadShift
 from core.effects.sensor_translation import SensorTranslation
 from core.gap.basis import basis_of
-from core.gap.effect_fit import descend, fit_effects, fit_nominal, go_rest_of_way, predict_held_out
+from core.gap.effect_fit import count_following, descend, fit_effects, fit_nominal, go_rest_of_way, predict_held_out
 from core.gap.problem import SMALL, Problem, parameters_of
 from core.gap.windows import Windows
 from tests.foreign_recordings import make_long
@@ -114,3 +114,11 @@ def test_a_step_that_overflows_is_not_taken() -> None:
     cost, beta, theta = descend(problem, np.full(2, 0.5), np.zeros(1), iterations=5)  # type: ignore[arg-type]  # all that is read
     assert cost == 0.5
     assert np.isfinite([*beta, *theta]).all()
+
+
+def test_parameters_that_follow_a_run_count_as_far_as_it_says_what_they_are_and_its_model_is_exact() -> None:
+    """Told four times as well as by their priors they are worth four fifths each; with an error that is worth 6000, next to nothing."""
+    precision, variance = np.full(10, 4.0), np.full(10, 1.0 / (4.0 + 16.0))
+    assert count_following(precision, variance, np.ones((6, 1000))) == pytest.approx(8.0)
+    assert count_following(precision, variance, np.full((6, 1000), 2.0)) < 0.01
+    assert count_following(precision, 1.0 / precision, np.ones((6, 1000))) == 0.0
