@@ -188,9 +188,9 @@ def _finish(problem: Problem, beta: Array, theta: Array) -> EffectFit:
 
 
 def count_following(precision: Array, variance: Array, held_out: Array) -> float:
-    """How many parameters n are worth, each as far as the recording and not its prior says what it is (MacKay, Bayesian Interpolation, 1992).
+    """How many parameters n are worth, each as far as the recording and not its prior says what it is.
 
-    What a fit leaves beyond chance is its own error, and all of it worth one draw, as explanations are weighed (`core.gap.weighing`):
+    MacKay, Bayesian Interpolation, 1992. What a fit leaves beyond chance is its own error, and all of it worth one draw, as explanations are weighed (`core.gap.weighing`):
     so much less says the recording.
 
     Args:
