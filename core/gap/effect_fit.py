@@ -190,8 +190,8 @@ def _finish(problem: Problem, beta: Array, theta: Array) -> EffectFit:
 def count_following(precision: Array, variance: Array, held_out: Array) -> float:
     """How many parameters n are worth, each as far as the recording and not its prior says what it is.
 
-    MacKay, Bayesian Interpolation, 1992. What a fit leaves beyond chance is its own error, and all of it worth one draw, as explanations are weighed (`core.gap.weighing`):
-    so much less says the recording.
+    MacKay, Bayesian Interpolation, 1992. What a fit leaves beyond chance is its own error, and all of it worth one draw, as explanations
+    are weighed (`core.gap.weighing`): so much less says the recording.
 
     Args:
         precision: (n,), of the priors. variance: (n,), as far as noise goes. held_out: chi-square of each row.
