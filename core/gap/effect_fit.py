@@ -196,7 +196,7 @@ def count_following(precision: Array, variance: Array, held_out: Array) -> float
     Args:
         precision: (n,), of the priors. variance: (n,), as far as noise goes. held_out: chi-square of each row.
     """
-    told = 1.0 / (precision * variance) - 1.0
+    told = np.maximum(0.0, 1.0 / (precision * variance) - 1.0)
     doubt = 1.0 + float(find_beyond_chance(held_out.sum(), np.asarray(held_out.size)) * held_out.size)
     return float((told / (told + doubt)).sum())
 
