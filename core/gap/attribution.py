@@ -12,6 +12,9 @@ from core.gap.tie import Tie, find_ties
 from core.gap.weighing import count, find_left_share, read_figures, score, weigh
 from core.gap.windows import Windows
 
+RICHER = 1.0
+"""Logarithm of the odds by which a richer shape has to be more probable than the plain one."""
+
 
 @dataclass(frozen=True)
 class Attribution:
@@ -42,8 +45,10 @@ def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit], kept:
 
 
 def choose_variants(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:
-    """One fit for each name: of the shapes of an effect the one that is more probable, which is the smaller where both predict alike."""
-    scores = score(count(nominal, fits), read_figures().figures)[1:]
+    """One fit for each name: of the shapes of an effect the one that is more probable, which is the smaller where both predict alike, and
+    the plain one, which a twin can take, unless a richer one is `RICHER` more probable."""
+    richer = np.array([any(effect.wider_shape for effect in fit.effects) for fit in fits], dtype=float)
+    scores = score(count(nominal, fits), read_figures().figures)[1:] - RICHER * richer
     chosen: dict[str, EffectFit] = {}
     for k in np.argsort(-scores, kind="stable"):
         chosen.setdefault(fits[k].name, fits[k])

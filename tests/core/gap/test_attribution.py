@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from core.effects.delay_that_wanders import DelayThatWanders
 from core.effects.library import library
-from core.gap.attribution import probabilities
+from core.gap.attribution import choose_variants, probabilities
 from core.gap.effect_fit import EffectFit
 from core.gap.weighing import count, find_left_share, read_figures, weigh_numbers
 
@@ -71,3 +74,12 @@ def test_two_effects_that_leave_a_remainder_are_not_believed():
     found = weighed(alone, pair)
     assert max(found, key=found.__getitem__) == "unknown"
     assert weighed(alone, fit("base_tilt+joint_offset", 0.0, 20))["base_tilt+joint_offset"] > 0.9
+
+
+def test_of_two_shapes_the_plain_one_is_taken_unless_the_richer_one_is_clearly_more_probable():
+    """What a tilt beside it has left of a delay: a fifth of that is no reason for a delay that wanders, nine tenths are."""
+    plain = fit("time_delay", 10.0, 1)
+    for left, taken in ((8.0, "TimeDelay"), (1.0, "DelayThatWanders")):
+        wanders = replace(fit("time_delay", left, 1), effects=(DelayThatWanders(),))
+        (chosen,) = choose_variants(fit("", 100.0, 0), [wanders, plain])
+        assert type(chosen.effects[0]).__name__ == taken
