@@ -21,6 +21,10 @@ BETA = 0.25 * (0.5 + GAMMA) ** 2
 0.5 % too slow and seems damped by another 0.6 % of the critical damping."""
 
 
+NOTHING_LOST = (0.0, 1.0)
+"""Springs without Dahl's friction."""
+
+
 def deflection(
     inertia: Array,
     load: Array,
@@ -29,7 +33,7 @@ def deflection(
     period: float,
     past: Past | None = None,
     share: float = 1.0,
-    loss: tuple[float, float] = (0.0, 1.0),
+    loss: tuple[float, float] = NOTHING_LOST,
 ) -> tuple[Array, Array]:
     """Deflection (N, n), rad, and its second derivative, rad/s2, of joints that follow their load when the run begins.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from core.array import Array
-from core.effects.deflection import deflection
+from core.effects.deflection import NOTHING_LOST, deflection
 from core.effects.effect import Effect, Parameter
 from core.effects.joint_error import find_largest_joint, joint_count, rigid_load, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
@@ -46,7 +46,7 @@ class JointElasticity(Effect):
     def find_loss(self, theta: Array) -> tuple[float, float]:
         """By how much stiffer the springs are after a turn back, as a share, and until how far, rad: not at all."""
         del theta
-        return 0.0, 1.0
+        return NOTHING_LOST
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Joints from stiff to soft with the inertia that is known, well damped so that a wrong frequency still points to the right one;

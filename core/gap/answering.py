@@ -47,8 +47,7 @@ OPEN = 0.05
 def answer(recording: Recording, evidence: Evidence) -> Diagnosis:
     """What the wrench says, and beside it what is plain in the recording itself; that explains no gap, and changes no verdict."""
     fitted = with_likely(_answer_from_wrench(recording, evidence))
-    named = evidence.best if evidence.verdict in ("explained", "ambiguous") else evidence.nominal
-    also = observe_symptoms(recording, evidence.windows, evidence.nominal, evidence.best, named)
+    also = observe_symptoms(recording, evidence.windows, evidence.nominal, evidence.best, evidence.named)
     summary = reduce(lambda said, more: Message.of("gap-summary-and", said=said, more=more), find_leading(also), fitted.summary)
     return fitted.model_copy(update={"also": also, "summary": summary})
 

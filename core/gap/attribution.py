@@ -46,7 +46,7 @@ def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit], kept:
 
 def choose_variants(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:
     """One fit for each name: of the shapes of an effect the one that is more probable, which is the smaller where both predict alike, and
-    the plain one, which a twin can take, unless a richer one is `RICHER` more probable."""
+    the plain one, which a twin can take, unless a richer one is more probable by more than `RICHER`."""
     richer = np.array([any(effect.wider_shape for effect in fit.effects) for fit in fits], dtype=float)
     scores = score(count(nominal, fits), read_figures().figures)[1:] - RICHER * richer
     chosen: dict[str, EffectFit] = {}

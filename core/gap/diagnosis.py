@@ -70,7 +70,8 @@ def examine(
     terms = find_terms(twin, basis.scene)
     windows = Windows(basis, terms)
     evidence = gather(windows, candidates, fit_all)
-    if setup.contradiction is not None and setup.effect in evidence.first_ids:
+    others = {effect.id for effect in evidence.named.effects}
+    if setup.contradiction is not None and (not others or setup.effect in others):
         return not_enough(setup.contradiction, time.perf_counter() - began), None
     fine = None if evidence.material else find_what_rings(evidence.windows, evidence.nominal, evidence.best)
     if fine is not None:

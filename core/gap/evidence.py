@@ -71,9 +71,9 @@ class Evidence:
         return explained[0][0] if explained and self.attribution.none < EXPLAINED else self.nominal
 
     @property
-    def first_ids(self) -> frozenset[str]:
-        """Identifiers in the most probable explanation, however much speaks for it; none where nothing could be fitted."""
-        return frozenset(effect.id for fit, _ in self.attribution.explained[:1] for effect in fit.effects)
+    def named(self) -> EffectFit:
+        """The most probable explanation where the verdict gives a name, else the nominal twin."""
+        return self.best if self.verdict in ("explained", "ambiguous") else self.nominal
 
     @cached_property
     def mattering(self) -> float:

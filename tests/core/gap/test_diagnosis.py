@@ -94,6 +94,7 @@ def test_a_slip_that_an_effect_of_the_library_does_too_is_refused_only_where_no_
     late = diagnose(recorded(delay_s=0.02), effects=with_sensor)
     assert (late.verdict, late.effects[0].id) == ("explained", "time_delay")
     assert diagnose(recorded(delay_s=0.02), effects=FEW).lacking == told.lacking  # nothing to hold against it
+    assert diagnose(recorded(), effects=with_sensor).lacking == told.lacking  # nothing else is named for it
     units = Message.of("setup-motion-agrees", slip=Message.of("setup-force-in", unit="kgf"))
     monkeypatch.setattr("core.gap.diagnosis.check_setup", lambda _: SetUp(units))
     assert diagnose(recorded(delay_s=0.02), effects=with_sensor).lacking == units

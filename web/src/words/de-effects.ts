@@ -146,7 +146,7 @@ export const deEffects: typeof enEffects = {
     ten_minutes_ratio: 'zehn Minuten zu einer',
     third_degree: 'Anteil dritten Grades',
     time_constant: 'Zeitkonstante',
-    turn_back: 'Weg, bis sie vergangen ist',
+    turn_back: 'Weg, über den die zusätzliche Steifigkeit abklingt',
     turn_cos: 'Änderung über die Umdrehung, Kosinus',
     turn_sin: 'Änderung über die Umdrehung, Sinus',
     turning_load_log_ratio: 'Umkehrlast (log)',
