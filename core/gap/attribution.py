@@ -12,8 +12,8 @@ from core.gap.tie import Tie, find_ties
 from core.gap.weighing import count, find_left_share, read_figures, score, weigh
 from core.gap.windows import Windows
 
-RICHER = 1.0
-"""Logarithm of the odds by which a richer shape has to be more probable than the plain one."""
+FOLLOWS = 1.0
+"""Logarithm of the odds by which a shape that merely follows the course of a run has to be more probable than one that does not."""
 
 
 @dataclass(frozen=True)
@@ -46,9 +46,9 @@ def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit], kept:
 
 def choose_variants(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:
     """One fit for each name: of the shapes of an effect the one that is more probable, which is the smaller where both predict alike, and
-    the plain one, which a twin can take, unless a richer one is more probable by more than `RICHER`."""
-    richer = np.array([any(effect.wider_shape for effect in fit.effects) for fit in fits], dtype=float)
-    scores = score(count(nominal, fits), read_figures().figures)[1:] - RICHER * richer
+    one that merely follows the course of a run, which no twin can take, only where it is so by more than `FOLLOWS`."""
+    follows = np.array([not all(p.shown for p in fit.parameters) for fit in fits], dtype=float)
+    scores = score(count(nominal, fits), read_figures().figures)[1:] - FOLLOWS * follows
     chosen: dict[str, EffectFit] = {}
     for k in np.argsort(-scores, kind="stable"):
         chosen.setdefault(fits[k].name, fits[k])

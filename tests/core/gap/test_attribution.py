@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from core.effects.delay_that_wanders import DelayThatWanders
+from core.effects.effect import Parameter
 from core.effects.library import library
 from core.gap.attribution import choose_variants, probabilities
 from core.gap.effect_fit import EffectFit
@@ -76,10 +77,11 @@ def test_two_effects_that_leave_a_remainder_are_not_believed():
     assert weighed(alone, fit("base_tilt+joint_offset", 0.0, 20))["base_tilt+joint_offset"] > 0.9
 
 
-def test_of_two_shapes_the_plain_one_is_taken_unless_the_richer_one_is_clearly_more_probable():
+def test_of_two_shapes_one_that_merely_follows_the_run_is_taken_only_where_it_is_clearly_more_probable():
     """What a tilt beside it has left of a delay: a fifth of that is no reason for a delay that wanders, nine tenths are."""
+    change = Parameter("knot_1_s", "s", 0.0, -0.1, 0.1, 0.003, shown=False)
     plain = fit("time_delay", 10.0, 1)
     for left, taken in ((8.0, "TimeDelay"), (1.0, "DelayThatWanders")):
-        wanders = replace(fit("time_delay", left, 1), effects=(DelayThatWanders(),))
+        wanders = replace(fit("time_delay", left, 2), effects=(DelayThatWanders(),), parameters=(replace(change, shown=True), change))
         (chosen,) = choose_variants(fit("", 100.0, 0), [wanders, plain])
         assert type(chosen.effects[0]).__name__ == taken
