@@ -14,6 +14,7 @@ from sqlite3 import Connection as SqliteConnection
 
 from sqlalchemy import Connection, DateTime, Dialect, Engine, MetaData, TypeDecorator, create_engine, event, inspect, text
 from sqlalchemy.orm import DeclarativeBase, Session
+from sqlalchemy.pool import ConnectionPoolEntry
 
 MIGRATIONS = Path(__file__).parent / "migrations"
 BUSY_S = 5.0  # how long a write waits for another
@@ -96,7 +97,8 @@ class Store:
             _wait_for_turn(connection, WRITE_LOCK)
 
     def close(self) -> None:
-        """Closes all connections."""
+        """Closes all connections; one that a thread still uses, as soon as that gives it back."""
+        event.listen(self._engine, "checkin", _close_given_back)
         self._engine.dispose()
 
 
@@ -128,6 +130,10 @@ def _make_durable(connection: SqliteConnection, _record: object) -> None:
     connection.isolation_level = None  # the driver would begin transactions by itself, and too late
     for pragma in ("journal_mode=WAL", "synchronous=FULL", "foreign_keys=ON", f"busy_timeout={round(BUSY_S * 1000)}"):
         connection.execute(f"PRAGMA {pragma}")
+
+
+def _close_given_back(_connection: object, entry: ConnectionPoolEntry) -> None:
+    entry.invalidate()
 
 
 def _begin(connection: Connection) -> None:

@@ -95,6 +95,17 @@ def test_many_may_write_at_once_and_all_is_kept(store: Store) -> None:
 
 
 @BOTH_STORES
+def test_a_connection_that_is_in_use_when_the_store_closes_is_closed_when_it_is_given_back(store: Store) -> None:
+    with store.read() as db:
+        driver = db.connection().connection.driver_connection
+        assert driver is not None
+        store.close()
+        assert db.scalar(text("SELECT 1")) == 1
+    with pytest.raises(Exception, match="closed"):
+        driver.cursor().execute("SELECT 1")
+
+
+@BOTH_STORES
 def test_times_come_back_with_their_offset(store: Store) -> None:
     now = utc_now()
     with store.write() as db:
