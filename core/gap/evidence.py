@@ -135,7 +135,8 @@ def join(found: Singles, fit_all: FitAll = on_all_cores) -> Evidence:
     needed = [] if found.stated else _find_needed(nominal, singles, grown)[:1]
     among = next((find_gears_among(windows, fit, fit_all) for fit in needed), None)
     if among is not None:
-        windows, nominal, singles = hold_again(windows, among, singles, fit_all)
+        found = hold_again(found, among, fit_all)
+        windows, nominal, singles = found.windows, found.nominal, list(found.fits)
         grown = _join(windows, nominal, singles, joinable, fit_all)
     fewer = fit_all(windows, [task for fit in grown[:1] for task in take_fewer(windows, fit)])
     singles = choose_variants(nominal, [*singles, *(fit for fit in fewer if not fit.further)])

@@ -28,8 +28,6 @@ BESIDE = 6
 ONE_IS_CLEAR = 3e-4
 """Share of the excess left over by one effect below which neither richer shapes are sought nor any started from the rows that most agree
 on: what spoils the first estimate leaves more to the others."""
-HID_MOST = 0.5
-"""Share of the excess below which what sound gears leave is looked at anew: starts and shapes were those that the swinging showed."""
 
 
 @dataclass(frozen=True)
@@ -67,16 +65,15 @@ def fit_singly(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on
     wider, last = [effect for effect in richer if not effect.last_resort], [effect for effect in richer if effect.last_resort]
     singles = _fit_singles(windows, nominal, shown, wider, fit_all)
     stated = SoundGears.id in in_twin
-    gears = None if stated else find_sound_gears(windows, nominal, singles, fit_all)
-    if gears is not None:
-        swinging, (windows, nominal, singles) = nominal, hold_again(windows, gears, singles, fit_all)
-        if find_left_share(swinging, nominal) < HID_MOST:
-            singles = choose_variants(nominal, [*singles, *_fit_singles(windows, nominal, shown, wider, fit_all)])
     limits = describe_limits(absences)
-    return Singles(windows, nominal, tuple(singles), tuple(shown), tuple(wider), tuple(last), stated, limits)
+    found = Singles(windows, nominal, tuple(singles), tuple(shown), tuple(wider), tuple(last), stated, limits)
+    gears = None if stated else find_sound_gears(windows, nominal, singles, fit_all)
+    return found if gears is None else hold_again(found, gears, fit_all)
 
 
-def _fit_singles(windows: Windows, nominal: EffectFit, effects: list[Effect], wider: list[Effect], fit_all: FitAll) -> list[EffectFit]:
+def _fit_singles(
+    windows: Windows, nominal: EffectFit, effects: Sequence[Effect], wider: Sequence[Effect], fit_all: FitAll
+) -> list[EffectFit]:
     """Each effect by itself, in the shape that is most probable."""
     scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
     known = {term.effect.id: [term.theta] for term in windows.held}
@@ -105,7 +102,7 @@ def _one_is_clear(nominal: EffectFit, fits: list[EffectFit]) -> bool:
     return find_left_share(nominal, best) < ONE_IS_CLEAR and ONE_IS_CLEAR * (nominal.chi_square - nominal.rows) > 1.0
 
 
-def start_beside(windows: Windows, nominal: EffectFit, fits: list[EffectFit], wider: list[Effect]) -> Iterator[Task]:
+def start_beside(windows: Windows, nominal: EffectFit, fits: list[EffectFit], wider: Sequence[Effect]) -> Iterator[Task]:
     """Richer shapes that show only beside the plain one, or another, of the effects that explain most where none explains all."""
     promising = sorted(fits, key=lambda fit: fit.chi_square)[:BESIDE]
     if not promising or find_left_share(nominal, promising[0]) < ONE_IS_CLEAR:
@@ -126,11 +123,14 @@ def _is_beside(effect: Effect, found: Effect) -> bool:
     return not found.wider_shape if effect.beside is None else isinstance(found, effect.beside)
 
 
-def hold_again(windows: Windows, gears: Term, singles: list[EffectFit], fit_all: FitAll) -> tuple[Windows, EffectFit, list[EffectFit]]:
-    """Everything fitted so far once more, with gears that are always on."""
-    windows = hold_gears(windows, gears)
+def hold_again(found: Singles, gears: Term, fit_all: FitAll) -> Singles:
+    """The same with gears that are always on: each effect from where it was and from the start, since starts and shapes were those that
+    the swinging showed."""
+    windows = hold_gears(found.windows, gears)
     nominal = fit_nominal(windows)
-    return windows, nominal, fit_all(windows, [fit_again(fit, nominal) for fit in singles])
+    again = fit_all(windows, [fit_again(fit, nominal) for fit in found.fits])
+    anew = _fit_singles(windows, nominal, found.shown, found.wider, fit_all)
+    return replace(found, windows=windows, nominal=nominal, fits=tuple(choose_variants(nominal, [*again, *anew])))
 
 
 def fit_again(fit: EffectFit, nominal: EffectFit) -> Task:
