@@ -23,6 +23,7 @@ class Machine(Arm):
         pace: how fast it is beside a usual arm.
         is_linked: whether a linkage keeps its tool upright.
         least_height_m: of the sensor, along the base's z; nothing where it may be anywhere.
+        noise_shape: how noisy each channel is beside the usual.
     """
 
     sensor_tip: tuple[float, float]
@@ -32,6 +33,7 @@ class Machine(Arm):
     pace: float = 1.0
     is_linked: bool = False
     least_height_m: float | None = 0.08
+    noise_shape: tuple[float, ...] = (1.0,) * 6
 
     def list_steps(self) -> list[tuple[Array, Array]]:
         """As of any arm, with the sensor's own turn on the flange."""

@@ -87,7 +87,7 @@ def draw_scene(rng: np.random.Generator, wish: Wish) -> Scene:
     body = _draw_body(rng, machine)
     level = max(body.mass * NOISE_PER_KG, LEAST_NOISE_N) * (QUIET if wish.is_quiet else 1)
     lever = max(LEVER_OF_NOISE * float(np.linalg.norm(body.com)), LEAST_LEVER_M)
-    noise_std = np.array([1, 1, 1.35, lever, lever, 0.75 * lever]) * level * rng.uniform(0.85, 1.2, 6)
+    noise_std = np.array([1, 1, 1.35, lever, lever, 0.75 * lever]) * level * rng.uniform(0.85, 1.2, 6) * machine.noise_shape
     background = Background(
         zeros=ZERO_RAD * rng.normal(size=machine.joint_count),
         tilt=TILT_RAD * normalise(rng.normal(size=2)),

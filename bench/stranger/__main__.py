@@ -1,11 +1,11 @@
 """Diagnoses of recordings by somebody who had read the specification and not a line of core; or by later ones, who had not.
 
-python -m bench.stranger FOLDER [--of {first,second,third,fourth}] [--only NAMES] [--processes P]
+python -m bench.stranger FOLDER [--of {first,second,third,fourth,fifth}] [--only NAMES] [--processes P]
 
-Makes 80 recordings (72 of the second, 60 of the third, 48 of the fourth) into FOLDER/recordings and FOLDER/truth.json where they are
-missing, and diagnoses each; started again it goes on where it ended. Each stranger needs a folder of its own. The answers are lines of
-FOLDER/diagnoses.jsonl. Names are numbers of recordings, or causes as they are called in `bench/stranger/causes`
-(`bench/second_stranger/causes`, `bench/third_stranger/causes`, `bench/fourth_stranger/causes`), separated by commas.
+Makes 80 recordings (72 of the second, 60 of the third, 48 of the fourth, 100 of the fifth) into FOLDER/recordings and FOLDER/truth.json
+where they are missing, and diagnoses each; started again it goes on where it ended. Each stranger needs a folder of its own. The answers
+are lines of FOLDER/diagnoses.jsonl. Names are numbers of recordings, or causes as they are called in `bench/stranger/causes`
+(`bench/second_stranger/causes`, and so on to `bench/fifth_stranger/causes`), separated by commas.
 """
 
 from __future__ import annotations

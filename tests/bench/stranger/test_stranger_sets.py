@@ -11,7 +11,7 @@ from bench.stranger.score import KINDS, Planted, find_kind
 from bench.stranger.sets import SETS, Recording
 
 
-@pytest.mark.parametrize(("of", "count"), [("first", 80), ("second", 72), ("third", 60), ("fourth", 48)])
+@pytest.mark.parametrize(("of", "count"), [("first", 80), ("second", 72), ("third", 60), ("fourth", 48), ("fifth", 100)])
 def test_every_recording_has_a_number_and_goes_to_another_process(of: str, count: int) -> None:
     recordings = SETS[of]()
     assert [each.number for each in recordings] == [f"{number:03d}" for number in range(1, count + 1)]
