@@ -7,7 +7,6 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
-from bench.fifth_stranger import making as fifth_making
 from bench.fifth_stranger import plan as fifth_plan
 from bench.fourth_stranger import making as fourth_making
 from bench.fourth_stranger import plan as fourth_plan
@@ -49,7 +48,7 @@ def list_fourth() -> list[Recording]:
 
 def list_fifth() -> list[Recording]:
     """By number."""
-    return [Recording(case.number, case.order.name, partial(fifth_making.make_case, case)) for case in fifth_plan.list_cases()]
+    return [Recording(case.number, case.order.name, partial(fourth_making.make_case, case)) for case in fifth_plan.list_cases()]
 
 
 SETS = {"first": list_first, "second": list_second, "third": list_third, "fourth": list_fourth, "fifth": list_fifth}

@@ -1,4 +1,4 @@
-"""`bench.fifth_stranger.making`: a case is the same whenever it is made, and what is planted is to be seen as is wanted."""
+"""`bench.fifth_stranger.plan`: a case is the same whenever it is made, and what is planted is to be seen as is wanted."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pyarrow.parquet as pq
 
-from bench.fifth_stranger.making import make_case
 from bench.fifth_stranger.plan import list_cases
+from bench.fourth_stranger.making import make_case
 from bench.fourth_stranger.plan import Case
 
 
