@@ -134,6 +134,13 @@ class Scene:
         """The same run with another payload."""
         return replace(self, phi=phi)
 
+    def with_motion(self, motion: Motion) -> Scene:
+        """The same run and payload, the sensor moved otherwise; the inertia of arm and payload, which takes long, is the same."""
+        moved = replace(self, motion=motion)
+        if "joint_inertia" in vars(self):
+            vars(moved)["joint_inertia"] = self.joint_inertia
+        return moved
+
     def turn_motion(self, error: Array) -> Motion:
         """Kinematics when the true sensor axes are turned by the small rotation vectors `error` (N, 3), sensor axes.
 

@@ -107,7 +107,7 @@ class Problem:
         """(N, 6) each, what payload and effects make of errors of the linear and angular acceleration (M, N, 6)."""
         m, without = scene.motion, self._behind(theta, scene, scene.nominal, {})
         for error in accelerations:
-            seen = replace(scene, motion=replace(m, a=m.a + error[:, :3], alpha=m.alpha + error[:, 3:]))
+            seen = scene.with_motion(replace(m, a=m.a + error[:, :3], alpha=m.alpha + error[:, 3:]))
             yield self._behind(theta, seen, seen.nominal, {}) - without
 
     def _behind(self, theta: Array, scene: Scene, w: Array, known: dict[bytes, Array]) -> Array:
