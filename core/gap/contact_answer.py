@@ -15,7 +15,7 @@ from core.effects.external_contact import ExternalContact
 from core.effects.parameter_title import find_title
 from core.gap.answer import ContactPart, Diagnosis, Explanation, Pair, PayloadPart, PhiPart, Value, Where
 from core.gap.answering import OPEN, answer, describe_gap, describe_payload, describe_values, with_likely
-from core.gap.attribution import Attribution, probabilities
+from core.gap.attribution import Attribution, choose_variants, probabilities
 from core.gap.closure import closure_of, gap_of
 from core.gap.contacts import Contact, Contacts, find_contacts, find_free, keep_rows
 from core.gap.effect_fit import EffectFit
@@ -75,20 +75,22 @@ def find_touched(evidence: Evidence, effects: Sequence[Effect], fit_all: FitAll)
     explain too little of it."""
     windows, nominal = evidence.windows, evidence.nominal
     others = sorted((fit for fit in evidence.singles if fit.name != CONTACT.id), key=lambda fit: fit.chi_square)[:BESIDE]
-    for found in chain([find_contacts(windows, nominal)], _find_beside(windows, nominal, others, fit_all)):
-        touched = None if found is None else _diagnose_rest(evidence, found, effects, fit_all)
+    for found, fit in chain([(find_contacts(windows, nominal), nominal)], _find_beside(windows, nominal, others, fit_all)):
+        touched = None if found is None else _diagnose_rest(evidence, found, fit, effects, fit_all)
         if touched is not None:
             return touched
     return None
 
 
-def _find_beside(windows: Windows, nominal: EffectFit, fits: list[EffectFit], fit_all: FitAll) -> Iterator[Contacts | None]:
-    """Contacts beside each effect that explains the rest, what explains most first. Its fit to all rows is bent by them, so it is fitted
-    again to those that this one does not miss by far."""
+def _find_beside(
+    windows: Windows, nominal: EffectFit, fits: list[EffectFit], fit_all: FitAll
+) -> Iterator[tuple[Contacts | None, EffectFit]]:
+    """Contacts beside each effect that explains the rest, and its fit, what explains most first. Its fit to all rows is bent by them, so it
+    is fitted again to those that this one does not miss by far."""
     again = [found for fit in fits if (found := _fit_to_free(windows, fit, fit_all)) is not None]
     for fit, free in sorted(again, key=lambda found: find_left_share(nominal, found[0])):
         if _doubt(nominal, fit)[1] >= EXPLAINED:
-            yield find_contacts(windows, _carry_over(windows, fit, free))
+            yield find_contacts(windows, _carry_over(windows, fit, free)), fit
 
 
 def _fit_to_free(windows: Windows, fit: EffectFit, fit_all: FitAll) -> tuple[EffectFit, NDArray[np.bool_]] | None:
@@ -103,13 +105,17 @@ def _fit_to_free(windows: Windows, fit: EffectFit, fit_all: FitAll) -> tuple[Eff
     return again, free
 
 
-def _diagnose_rest(evidence: Evidence, contacts: Contacts, effects: Sequence[Effect], fit_all: FitAll) -> Touched | None:
-    """The diagnosis of what contacts leave free; None where that does not make an answer of them."""
+def _diagnose_rest(evidence: Evidence, contacts: Contacts, fit: EffectFit, effects: Sequence[Effect], fit_all: FitAll) -> Touched | None:
+    """The diagnosis of what contacts leave free, with the fit beside which they were found once more; None where that does not make an
+    answer of them."""
     windows, nominal = evidence.windows, evidence.nominal
     free = keep_rows(windows, contacts.free)
     if free.X.shape[2] != windows.X.shape[2]:
         return None  # nothing is free between two pauses: nobody knows what the sensor reads without a load there
     singles = fit_singly(free, effects, fit_all)
+    if fit.effects:
+        again = fit_all(singles.windows, [fit_again(fit, singles.nominal)])
+        singles = replace(singles, fits=tuple(choose_variants(singles.nominal, [*singles.fits, *again])))
     if _most_probable(nominal, singles) < EXPLAINED:
         return None  # effects that are sought together take away from each single one
     rest = join(singles, fit_all)

@@ -7,7 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.interpolate import PchipInterpolator
+from scipy.ndimage import gaussian_filter1d
 
+from core.effects.drift_in_any_attitude import DriftInAnyAttitude
+from core.effects.drift_that_wanders import DriftThatWanders
 from core.effects.library import library
 from core.gap.answer import Diagnosis
 from core.gap.basis import basis_of
@@ -238,6 +241,23 @@ def test_what_may_explain_the_rest_is_told_with_each_of_its_names(pushed_and_til
     masses = [fit.phi[0] for fit, _ in touched.beside]
     assert min(masses) < told.payload.after.phi[0] < max(masses), "between what the two make of it"
     assert told.payload.after.std[0] > 1.2 * min(fit.phi_std[0] for fit, _ in touched.beside)
+
+
+def test_pushes_beside_a_drift_in_a_shape_that_is_sought_last_are_named_with_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(DriftThatWanders, "starts", lambda *_: [])  # as where no hold is long enough
+    sound = record(run, payload("steel_block"), np.random.default_rng(0), Imperfections())
+    noise = np.std(np.diff(sound.wrench[:100], axis=0), axis=0)
+    walked = gaussian_filter1d(np.cumsum(np.random.default_rng(1).normal(size=sound.wrench.shape), axis=0), 1000, axis=0)
+    drifted = replace(sound, wrench=sound.wrench + 30.0 * noise * walked / walked.std(axis=0))
+    pushed = push(drifted, run, hand(run, 3, most_n=4.0), (0.02, -0.01, 0.09))
+    few = [effect for effect in library() if effect.id in ("sensor_drift", "external_contact", "sensor_offset_step")]
+    evidence = gather(Windows(basis_of(pushed)), few, one_by_one)
+    touched = find_touched(evidence, few, one_by_one)
+    assert touched is not None
+    assert [type(effect) for effect in touched.best.effects] == [DriftInAnyAttitude]
+    for found, (begin, end) in zip(touched.contacts.found, spans_of(run), strict=True):
+        assert found.begin_s < begin + 0.2
+        assert found.end_s == pytest.approx(end, abs=1.0)
 
 
 def test_a_sensor_that_does_not_come_back_to_nothing_between_two_pushes_does_not_join_them() -> None:
