@@ -63,8 +63,10 @@ def find_gears_among(windows: Windows, together: EffectFit, fit_all: FitAll) -> 
     return _term_of(windows, fit)
 
 
-def _term_of(windows: Windows, fit: EffectFit) -> Term:
-    return Term(JointElasticity(), next(theta for effect, theta in terms_of(windows, fit) if isinstance(effect, SoundGears)))
+def _term_of(windows: Windows, fit: EffectFit) -> Term | None:
+    """None where no joint gives: beside rigid gears the fit has only come further than without."""
+    theta = next(theta for effect, theta in terms_of(windows, fit) if isinstance(effect, SoundGears))
+    return Term(JointElasticity(), theta) if theta[:-2].any() else None
 
 
 def hold_gears(windows: Windows, gears: Term) -> Windows:

@@ -20,7 +20,7 @@ from core.events import drive
 from core.gap.basis import basis_of
 from core.gap.closure import gap_of
 from core.gap.diagnosis import examine
-from core.gap.effect_fit import fit_effects, fit_nominal
+from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.evidence import Evidence, gather
 from core.gap.fit_all import Found, Job, Task, one_by_one
 from core.gap.partners import add_effect
@@ -142,6 +142,19 @@ def test_gears_that_were_found_beside_less_give_way_to_those_that_show_beside_se
     assert found is not None
     assert np.median(found.theta[:6]) == pytest.approx(1.0 / 24e3, rel=0.3)
     assert hold_gears(windows, found).held == (found,)
+
+
+def test_gears_of_which_none_gives_are_none() -> None:
+    windows = Windows(basis_of(moved(SOUND, LOST)))
+    nominal = fit_nominal(windows)
+    scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
+    lost = fit_effects(windows, (PayloadMassChange(),), nominal, PayloadMassChange().starts(scene, residual))
+
+    def fit_all(windows: Windows, jobs: Sequence[Job[EffectFit]], /) -> list[EffectFit]:  # as where a fit only came further beside them
+        fits = one_by_one(windows, jobs)
+        return [replace(fit, theta=np.zeros_like(fit.theta)) if SoundGears in map(type, fit.effects) else fit for fit in fits]
+
+    assert find_sound_gears(windows, nominal, [lost], fit_all) is None
 
 
 def test_gears_show_beside_the_cause_though_something_else_bends_more() -> None:
