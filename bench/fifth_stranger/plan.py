@@ -18,6 +18,7 @@ from bench.fifth_stranger.causes import (
 )
 from bench.fifth_stranger.machines import MACHINES
 from bench.fourth_stranger.forms import Form
+from bench.fourth_stranger.machines import Machine
 from bench.fourth_stranger.motion import Kind
 from bench.fourth_stranger.plan import SECONDS, Case, Order
 from bench.second_stranger.fault import Maker
@@ -105,6 +106,16 @@ def _choose_form(place: int, *causes: Listed) -> Form:
     return ODD_FORMS[place // ODD_BY % len(ODD_FORMS)] if place % ODD_BY == 2 else FORMS[place % len(FORMS)]
 
 
+def _choose_machine(place: int) -> Machine:
+    """One after the other, and in each round from the next one on."""
+    return MACHINES[(place + place // len(MACHINES)) % len(MACHINES)]
+
+
+def _choose_seconds(place: int) -> float:
+    """About a minute."""
+    return SECONDS + 4 * (place % 5 - 2)
+
+
 def _plant(place: int, causes: tuple[Listed, ...], wanted: tuple[float, ...], redraw: int = 0) -> Order:
     """One cause or two; the machine goes by the place in the group."""
     motion = next((cause.motion for cause in causes if cause.motion), MOTIONS[place % len(MOTIONS)])
@@ -112,13 +123,13 @@ def _plant(place: int, causes: tuple[Listed, ...], wanted: tuple[float, ...], re
     return Order(
         kind="single" if len(causes) == 1 else "double",
         name="+".join(cause.maker.__name__ for cause in causes),
-        machine=MACHINES[(place + place // len(MACHINES)) % len(MACHINES)],
+        machine=_choose_machine(place),
         motion=motion,
         form=LONG_FORM if is_long else _choose_form(place, *causes),
         families=tuple(cause.family for cause in causes),
         makers=tuple(cause.maker for cause in causes),
         wanted=wanted,
-        seconds=LONG_S if is_long else SECONDS + 4 * (place % 5 - 2),
+        seconds=LONG_S if is_long else _choose_seconds(place),
         is_quiet=any(cause.is_quiet for cause in causes),
         redraw=redraw,
         defensible=MATRIX if any(cause.family in OF_MATRIX for cause in causes) else (),
@@ -129,12 +140,12 @@ def _plant_unlisted(place: int, maker: Maker, wanted: float, defensible: tuple[s
     return Order(
         kind="unknown",
         name=maker.__name__,
-        machine=MACHINES[(place + place // len(MACHINES)) % len(MACHINES)],
+        machine=_choose_machine(place),
         motion=motion or MOTIONS[place % len(MOTIONS)],
         form=_choose_form(place),
         makers=(maker,),
         wanted=(wanted,),
-        seconds=SECONDS + 4 * (place % 5 - 2),
+        seconds=_choose_seconds(place),
         defensible=defensible,
     )
 
