@@ -100,6 +100,7 @@ PIECES = {
     "settling_rate": Message.of("effect-parameter-settling-rate"),
     "settling_time": Message.of("effect-parameter-settling-time"),
     "sin": Message.of("effect-parameter-sin"),
+    "sink": Message.of("effect-parameter-sink"),
     "slack": Message.of("effect-parameter-slack"),
     "slip": Message.of("effect-parameter-slip"),
     "slope_change": Message.of("effect-parameter-slope-change"),

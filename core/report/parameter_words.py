@@ -102,6 +102,7 @@ CODES = {
     "settling_rate": "report-of-settling-rate",
     "settling_time": "report-of-settling-time",
     "sin": "report-of-sin",
+    "sink": "report-of-sink",
     "slack": "report-of-slack",
     "slip": "report-of-slip",
     "slope_change": "report-of-slope-change",

@@ -1,6 +1,7 @@
 # What a person should do about an effect, with its figures.
 advice-base-tilt = Richten Sie die Basis waagrecht aus: drehen Sie sie um { DEGREES($first_rad, digits: 2) }° um { $first_axis } und um { DEGREES($second_rad, digits: 2) }° um { $second_axis } des Basiskoordinatensystems; oder drehen Sie die Richtung der Schwerkraft in der Zelle um dieselben Winkel.
 advice-base-tilt-leans = Befestigen Sie die Basis oder stellen Sie sie auf steife Füße: sie neigt sich um bis zu { DEGREES($lean_rad, digits: 2) }°, wenn sich der Arm bewegt. Richten Sie sie dann aus.
+advice-base-tilt-sinks = Stellen Sie die Basis auf festen Grund und befestigen Sie sie: ab { FIXED($at_s, digits: 1) } s sank sie um { DEGREES($sunk_rad, digits: 2) }° ein. Richten Sie sie dann aus.
 advice-cable-drag = Legen Sie Schlauch oder Kabel frei: anfangs ist der Zug { FIXED($pull_n, digits: 1) } N, er ändert sich um { FIXED($stiffness_n_per_m, digits: 1) } N je Meter, und die Reibung ist { FIXED($friction_n, digits: 1) } N.
 advice-cable-drag-twisting = Legen Sie Schlauch oder Kabel frei: anfangs ist der Zug { FIXED($pull_n, digits: 1) } N, er ändert sich um { FIXED($stiffness_n_per_m, digits: 1) } N je Meter, die Reibung ist { FIXED($friction_n, digits: 1) } N, und die Verdrehung wirkt mit { FIXED($twist_nm_per_rad, digits: 2) } N m je rad.
 advice-external-contact = Halten Sie die Last frei: von { FIXED($begin_s, digits: 1) } bis { FIXED($end_s, digits: 1) } s drückte etwas mit bis zu { FIXED($force_n, digits: 1) } N gegen sie; lassen Sie diesen Teil weg, oder fahren Sie erneut.

@@ -150,6 +150,7 @@ effect-parameter-second-order = Anteil zweiter Ordnung
 effect-parameter-settling-rate = Einschwingrate
 effect-parameter-settling-time = Einschwingzeit
 effect-parameter-sin = Sinusanteil
+effect-parameter-sink = Einsinken der Basis
 effect-parameter-slack = Lose
 effect-parameter-slip = Rücksprung
 effect-parameter-slope-change = Steigungsänderung

@@ -374,6 +374,7 @@ report-of-second-order = Anteil zweiter Ordnung
 report-of-settling-rate = Einschwingrate
 report-of-settling-time = Einschwingzeit
 report-of-sin = Sinusanteil
+report-of-sink = Einsinken der Basis
 report-of-slack = Lose
 report-of-slip = Rücksprung
 report-of-slope-change = Steigungsänderung

@@ -1,6 +1,7 @@
 # What a person should do about an effect, with its figures.
 advice-base-tilt = Level the base: turn it by { DEGREES($first_rad, digits: 2) } deg about { $first_axis } and { DEGREES($second_rad, digits: 2) } deg about { $second_axis } of the base frame; or turn the direction of gravity in the cell by the same angles.
 advice-base-tilt-leans = Fasten the base, or put it on stiff feet: it leans by up to { DEGREES($lean_rad, digits: 2) } deg as the arm moves. Then level it.
+advice-base-tilt-sinks = Put the base on firm ground and fasten it: it sank by { DEGREES($sunk_rad, digits: 2) } deg from { FIXED($at_s, digits: 1) } s on. Then level it.
 advice-cable-drag = Free the hose or cable: it pulls with { FIXED($pull_n, digits: 1) } N at the start, changes by { FIXED($stiffness_n_per_m, digits: 1) } N per metre and rubs with { FIXED($friction_n, digits: 1) } N.
 advice-cable-drag-twisting = Free the hose or cable: it pulls with { FIXED($pull_n, digits: 1) } N at the start, changes by { FIXED($stiffness_n_per_m, digits: 1) } N per metre and rubs with { FIXED($friction_n, digits: 1) } N, and it twists with { FIXED($twist_nm_per_rad, digits: 2) } N m per rad.
 advice-external-contact = Keep the payload clear: something pushed it with up to { FIXED($force_n, digits: 1) } N from { FIXED($begin_s, digits: 1) } to { FIXED($end_s, digits: 1) } s; leave that part out or run again.

@@ -150,6 +150,7 @@ effect-parameter-second-order = second-order share
 effect-parameter-settling-rate = settling rate
 effect-parameter-settling-time = settling time
 effect-parameter-sin = sine part
+effect-parameter-sink = sinking
 effect-parameter-slack = slack
 effect-parameter-slip = slip
 effect-parameter-slope-change = slope change

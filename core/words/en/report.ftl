@@ -376,6 +376,7 @@ report-of-second-order = second order
 report-of-settling-rate = settling rate
 report-of-settling-time = settling time
 report-of-sin = sin
+report-of-sink = sinking
 report-of-slack = slack
 report-of-slip = slip
 report-of-slope-change = slope change

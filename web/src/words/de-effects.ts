@@ -126,6 +126,7 @@ export const deEffects: typeof enEffects = {
     settling_rate: 'Einschwingrate',
     settling_time: 'Einschwingzeit',
     sin: 'Sinusanteil',
+    sink: 'Einsinken der Basis',
     slack: 'Lose',
     slip: 'Rücksprung',
     slope_change: 'Steigungsänderung',
