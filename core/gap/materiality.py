@@ -8,7 +8,6 @@ import numpy as np
 
 from core.array import Array
 from core.estimation.determination import find_determined
-from core.gap.closure import gap_of
 from core.gap.effect_fit import EffectFit
 from core.gap.limits import BEYOND_STD, GAP, SHARES, sizes
 from core.gap.windows import PHI, Windows
@@ -44,7 +43,7 @@ def is_material(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:
 
 def find_margins(windows: Windows, nominal: EffectFit, best: EffectFit) -> Margins:
     """By how much it does; what hides behind the noise moves nothing."""
-    gap = gap_of(windows, nominal)
+    gap = float(np.sqrt(max(0.0, 1.0 + (float(nominal.held_out.mean()) - 1.0) / windows.samples_per_row)))
     reference, nothing = windows.basis.reference, not best.effects or gap < HIDDEN
     moved = 0.0 if nothing else find_farthest(best.phi - nominal.phi, best.phi, best.phi_std)
     off = np.nan if reference is None else find_farthest(nominal.phi - reference, reference, best.phi_std)

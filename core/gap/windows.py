@@ -276,14 +276,9 @@ class Windows:
         return draw_noise(basis.poses, csr_array(basis.spread @ basis.difference), jittered, basis.scene.t, self._to_windows)
 
     @cached_property
-    def readings_per_row(self) -> float:
+    def samples_per_row(self) -> float:
         """Fresh readings for each window."""
         return self.step / (self.basis.poses.period * self.basis.rows.every)
-
-    @cached_property
-    def samples_per_row(self) -> Array:
-        """(6,), of each channel so many independent ones: fewer where their noise is correlated."""
-        return np.asarray(self.readings_per_row / self.basis.noise.long_run)
 
 
 def _find_zero_columns(scene: Scene) -> Array:

@@ -114,7 +114,7 @@ def _materiality(windows: Windows, fooled: EffectFit, payload: Array, std: Array
         fooled: the nominal twin fitted to what the fault does.
         payload, std: (10,), as it truly was, and how well the true effect's fit knows it.
     """
-    gap = float((fooled.held_out / windows.samples_per_row[:, None]).mean()) / (GAP**2 - 1.0)
+    gap = float(fooled.held_out.mean()) / windows.samples_per_row / (GAP**2 - 1.0)
     return max(_root(gap), find_farthest(fooled.phi - payload, payload, std))
 
 

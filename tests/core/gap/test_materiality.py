@@ -57,7 +57,7 @@ def windows_of(reference: np.ndarray | None = None, newtons_per_kg: float = 0.0)
     """Forty windows of 25 samples each; of the payload nothing but the mass moves the wrench."""
     X = np.zeros((6, 40, 26))
     X[:, :, 0] = newtons_per_kg
-    return SimpleNamespace(X=X, samples_per_row=np.full(6, SAMPLES), readings_per_row=SAMPLES, basis=SimpleNamespace(reference=reference))
+    return SimpleNamespace(X=X, samples_per_row=SAMPLES, basis=SimpleNamespace(reference=reference))
 
 
 def fit_of(phi: np.ndarray, *, std: np.ndarray | None = None, held_out: float = 2.0) -> SimpleNamespace:
