@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from core.array import Array
-from core.effects.base_tilt import BaseTilt, change_gravity, find_level_axes
+from core.effects.base_tilt import BaseTilt, find_level_axes, turn_gravity
 from core.effects.effect import Parameter
 from core.effects.scene import Scene
-from core.payload.rotations import rotate_by
 from core.words.message import Message
 
 START_RAD_PER_NM = 5e-5
@@ -32,7 +31,7 @@ class BaseThatLeans(BaseTilt):
         axes, vectors = find_level_axes(scene), np.zeros((len(scene), 3))
         moment = find_moment(scene)[:, axes]
         vectors[:, axes] = theta[:2] - theta[2:] * (moment - moment[0])
-        return change_gravity(scene, w, np.einsum("nj,nji->ni", rotate_by(vectors, scene.gravity) - scene.gravity, scene.rotation))
+        return turn_gravity(scene, w, vectors)
 
     def explain_lack(self, scene: Scene) -> Message | None:
         """A reason where it is not known what weighs on the base, and where."""

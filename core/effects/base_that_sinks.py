@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from core.array import Array
-from core.effects.base_tilt import BaseTilt, change_gravity, find_level_axes
+from core.effects.base_tilt import BaseTilt, change_gravity, find_level_axes, turn_gravity
 from core.effects.channels import expand_to_channels
 from core.effects.effect import Parameter
 from core.effects.scene import Scene
 from core.effects.sensor_drift import settling
-from core.payload.rotations import rotate_by
 from core.words.message import Message
 
 RATES, STARTS = (0.0, 0.03, 0.2, 2.0), 9
@@ -43,7 +42,7 @@ class BaseThatSinks(BaseTilt):
         """`w` less `m dg` and `mc x dg`, dg the change of gravity in sensor axes, row by row."""
         vectors = np.zeros((len(scene), 3))
         vectors[:, find_level_axes(scene)] = theta[:2] + _find_course(scene, *theta[4:])[:, None] * theta[2:4]
-        return change_gravity(scene, w, np.einsum("nj,nji->ni", rotate_by(vectors, scene.gravity) - scene.gravity, scene.rotation))
+        return turn_gravity(scene, w, vectors)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The start and rate that explain most of the residual."""

@@ -7,7 +7,7 @@ import numpy as np
 from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
-from core.payload.rotations import cross, rotation_of
+from core.payload.rotations import cross, rotate_by, rotation_of
 from core.words.message import Message
 
 
@@ -43,6 +43,11 @@ class BaseTilt(Effect):
 def change_gravity(scene: Scene, w: Array, dg: Array) -> Array:
     """`w` less `m dg` and `mc x dg`, dg (N, 3) the change of gravity in sensor axes, m/s2."""
     return np.asarray(w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)]))
+
+
+def turn_gravity(scene: Scene, w: Array, vectors: Array) -> Array:
+    """`w` (N, 6) where gravity is turned row by row, by rotation vectors (N, 3) in base axes, rad."""
+    return change_gravity(scene, w, np.einsum("nj,nji->ni", rotate_by(vectors, scene.gravity) - scene.gravity, scene.rotation))
 
 
 def find_level_axes(scene: Scene) -> list[int]:

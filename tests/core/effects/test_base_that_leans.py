@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,25 +13,13 @@ from core.effects.library import library
 from core.gap.basis import basis_of
 from core.gap.diagnosis import diagnose
 from core.recording.recording import Recording
-from tests.independent_arm import Arm
-from tests.synthetic import GRAVITY, Run, payload, record, run_of, wrench_of
+from tests.core.effects.turned_base import BODY, arm, run, with_gravity_turned
+from tests.synthetic import GRAVITY
 
 Array = np.ndarray
-BODY = payload("steel_block", "ur5e_line")
 COMPLIANCE = np.array([4.0e-4, 2.5e-4, 0.0])
 """rad/(N m), about x, y and z of the base."""
 TILT = np.array([0.04, -0.015, 0.0])
-
-
-@cache
-def run() -> Run:
-    return run_of("ur5e_line", 0, repetitions=1, period=0.008)
-
-
-@cache
-def arm() -> Arm:
-    described = run().robot.description
-    return Arm(described.urdf, Path(), described.base_frame, described.sensor_frame, np.eye(4))
 
 
 @cache
@@ -47,12 +34,8 @@ def moment() -> Array:
 
 
 def leaning() -> Recording:
-    """Gravity turned against the base, by small angles of second order; the run has axes of its own."""
-    turned = (TILT - COMPLIANCE * moment()) @ (run().rotation[0] @ arm().sensor_poses(run().q[:1])[0, :3, :3].T).T
-    across = np.cross(turned, GRAVITY)
-    g = GRAVITY + across + 0.5 * np.cross(turned, across)
-    still = record(run(), BODY, np.random.default_rng(1))
-    return replace(still, wrench=still.wrench + wrench_of(run(), BODY, g) - wrench_of(run(), BODY))
+    """On feet of rubber, not level at first."""
+    return with_gravity_turned(TILT - COMPLIANCE * moment())
 
 
 def test_the_moment_is_that_of_all_weights_that_move() -> None:

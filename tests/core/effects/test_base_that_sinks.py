@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from functools import cache
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -14,37 +10,13 @@ from core.effects.library import library
 from core.gap.basis import basis_of
 from core.gap.diagnosis import diagnose
 from core.recording.recording import Recording
-from tests.independent_arm import Arm
-from tests.synthetic import GRAVITY, Run, payload, record, run_of, wrench_of
+from tests.core.effects.turned_base import BODY, run, with_gravity_turned
 
 Array = np.ndarray
-BODY = payload("steel_block", "ur5e_line")
 TILT = np.array([0.006, -0.004, 0.0])
 SUNK = np.array([0.02, 0.012, 0.0])
 """rad, about x, y and z of the base, in the end."""
 START_S, TIME_CONSTANT_S = 14.0, 8.0
-
-
-@cache
-def run() -> Run:
-    return run_of("ur5e_line", 0, repetitions=1, period=0.008)
-
-
-@cache
-def own_axes() -> Array:
-    """(3, 3), from the base's axes to those of the run."""
-    described = run().robot.description
-    arm = Arm(described.urdf, Path(), described.base_frame, described.sensor_frame, np.eye(4))
-    return run().rotation[0] @ arm.sensor_poses(run().q[:1])[0, :3, :3].T
-
-
-def with_gravity_turned(by: Array) -> Recording:
-    """By rotation vectors (N, 3) in base axes, small angles of second order."""
-    turned = by @ own_axes().T
-    across = np.cross(turned, GRAVITY)
-    g = GRAVITY + across + 0.5 * np.cross(turned, across)
-    still = record(run(), BODY, np.random.default_rng(1))
-    return replace(still, wrench=still.wrench + wrench_of(run(), BODY, g) - wrench_of(run(), BODY))
 
 
 def sinking() -> Recording:
