@@ -19,6 +19,8 @@ LEAVING = 0.1
 """The same at its end, where an arm that speeds up is slow and yet accelerates."""
 SHORTEST = 64
 """Samples; a shorter hold says too little of noise."""
+PIECE_S, HARMONICS = 0.2, 5
+"""In which the power of a line is measured, and how many of its multiples with it."""
 LOWEST_HZ = 10.0
 """Slower than this, a line may be the arm or a swinging load."""
 REACH = 16
@@ -93,6 +95,16 @@ def line_in(noise: list[Array], rate: float) -> Line | None:
     sigma = _sigma(float(best.min()) + np.log(7 * band.sum()))
     noise_std = np.sqrt(floor[peak] / (K * (window**2).sum()))
     return _measure_line(pieces, f[peak], rate, noise_std, sigma)
+
+
+def measure_whole(noise: list[Array], line: Line, rate: float) -> Array:
+    """(6,), amplitude, N and N m, of a sinusoid with the power of a line and its harmonics, in pieces so short that neither a phase that
+    wanders nor a source that is switched on and off takes any of it away."""
+    L = min(*(len(part) for part in noise), max(SHORTEST // 2, round(PIECE_S * rate)))
+    pieces = np.array([part[k : k + L] for part in noise for k in range(0, len(part) - L + 1, L)])
+    by_noise = 4 * line.floor**2 / L
+    harmonics = (n * line.frequency for n in range(1, HARMONICS + 1) if n * line.frequency < 0.49 * rate)
+    return np.asarray(np.sqrt(sum(np.maximum(_fit_squared_amplitudes(pieces, f, rate) - by_noise, 0.0) for f in harmonics)))
 
 
 def without_line(noise: list[Array], frequency: float, rate: float) -> list[Array]:

@@ -6,7 +6,7 @@ import numpy as np
 
 from core.effects.channels import SUFFIXES, expand_to_channels, say_largest
 from core.effects.effect import Finding, Parameter, Symptom, View
-from core.effects.hold_noise import hold_noise, line_in, rate, steady
+from core.effects.hold_noise import hold_noise, line_in, measure_whole, rate, steady
 from core.payload.channels import CHANNELS, UNITS
 from core.recording.recording import Recording
 from core.words.message import Message
@@ -22,8 +22,8 @@ MATERIAL = 3.0
 class SensorInterference(Symptom):
     """`A sin(2 pi f t + phase)` in each channel, found in the raw wrench of the holds, where no motion hides it.
 
-    Material where the amplitude is more than three times the stated noise of a sample in some channel; where none is stated, the noise
-    beside the line. What rings down within the holds is no interference.
+    Material where all of it, with the harmonics, has the power of an amplitude of more than three times the stated noise of a sample in
+    some channel; where none is stated, the noise beside the line. What rings down within the holds is no interference.
     """
 
     id = "sensor_interference"
@@ -54,7 +54,7 @@ class SensorInterference(Symptom):
         if not steady(noise, line.frequency, samples_per_second, int(relative.argmax())):
             return None
         stated = recording.sensor.noise_std
-        times = relative if stated is None else line.amplitude / stated
+        times = measure_whole(noise, line, samples_per_second) / (line.floor if stated is None else stated)
         worst = int(times.argmax())
         place = _say_frequency(line.frequency, samples_per_second)
         amplitude, channel = say_largest(line.amplitude), CHANNELS[worst]

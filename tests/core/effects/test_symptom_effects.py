@@ -170,6 +170,20 @@ def test_a_line_matters_from_three_times_the_stated_noise(amplitude: float) -> N
     assert finding.material is (amplitude > 3.0)
 
 
+def test_harmonics_count_with_their_line() -> None:
+    phase = 2 * np.pi * 60.0 * times()
+    wave = 2.85 * (np.sin(phase) + 0.45 * np.sin(3 * phase))[:, None] * NOISE
+    finding = seen(SensorInterference(), recording(added=wave))
+    assert finding.material
+    assert finding.times_expected == pytest.approx(2.85 * np.hypot(1, 0.45), rel=0.05)
+
+
+def test_a_line_that_is_switched_on_and_off_counts_by_its_power() -> None:
+    on = np.mod(times(), 1.6) < 1.2
+    finding = seen(SensorInterference(), recording(added=np.where(on, 3.7 * np.sin(2 * np.pi * 100.0 * times()), 0.0)[:, None] * NOISE))
+    assert finding.times_expected == pytest.approx(3.7 * np.sqrt(0.75), rel=0.08)
+
+
 def test_ringing_after_each_stop_is_no_interference() -> None:
     since = np.mod(times(), 3.0)
     ring = np.where(since < 1.0, 1.5 * np.exp(-since / 0.2) * np.sin(2 * np.pi * 25 * since), 0.0)[:, None] * SIX
