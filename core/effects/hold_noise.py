@@ -77,7 +77,7 @@ def line_in(noise: list[Array], rate: float) -> Line | None:
     L = min((len(part) for part in noise), default=0)
     if L < SHORTEST:
         return None
-    pieces = np.array([part[k : k + L] for part in noise for k in range(0, len(part) - L + 1, L)])
+    pieces = _cut(noise, L)
     window = np.hanning(L)[:, None]
     power = (np.abs(np.fft.rfft(pieces * window, axis=1)) ** 2).sum(axis=0)
     K = len(pieces)
@@ -100,11 +100,9 @@ def line_in(noise: list[Array], rate: float) -> Line | None:
 def measure_whole(noise: list[Array], line: Line, rate: float) -> Array:
     """(6,), amplitude, N and N m, of a sinusoid with the power of a line and its harmonics, in pieces so short that neither a phase that
     wanders nor a source that is switched on and off takes any of it away."""
-    L = min(*(len(part) for part in noise), max(SHORTEST // 2, round(PIECE_S * rate)))
-    pieces = np.array([part[k : k + L] for part in noise for k in range(0, len(part) - L + 1, L)])
-    by_noise = 4 * line.floor**2 / L
-    harmonics = (n * line.frequency for n in range(1, HARMONICS + 1) if n * line.frequency < 0.49 * rate)
-    return np.asarray(np.sqrt(sum(np.maximum(_fit_squared_amplitudes(pieces, f, rate) - by_noise, 0.0) for f in harmonics)))
+    pieces = _cut(noise, min(*(len(part) for part in noise), max(SHORTEST // 2, round(PIECE_S * rate))))
+    multiples = line.frequency * np.arange(1.0, HARMONICS + 1)
+    return np.asarray(np.linalg.norm(_fit_amplitudes(pieces, multiples[multiples < 0.49 * rate], rate, line.floor), axis=0))
 
 
 def without_line(noise: list[Array], frequency: float, rate: float) -> list[Array]:
@@ -134,23 +132,33 @@ def _measure_line(pieces: Array, coarse: float, rate: float, noise_std: Array, s
     K, L, _ = pieces.shape
     grid = coarse + np.linspace(-1, 1, 41) * rate / L
     weight = 1.0 / np.maximum(noise_std, np.finfo(float).tiny) ** 2
-    powers = np.array([_fit_squared_amplitudes(pieces, f, rate) for f in grid])
+    powers = np.array([_fit_squared_amplitudes(pieces, grid[k : k + 1], rate)[0] for k in range(len(grid))])
     k = int(np.clip((powers @ weight).argmax(), 1, 39))
     y = (powers @ weight)[k - 1 : k + 2]
     bend = y[0] - 2 * y[1] + y[2]
     f = grid[k] + (0.5 * (y[0] - y[2]) / bend if bend < 0 else 0.0) * (grid[1] - grid[0])
-    amplitude = np.sqrt(np.maximum(_fit_squared_amplitudes(pieces, f, rate) - 4 * noise_std**2 / L, 0.0))
+    amplitude = _fit_amplitudes(pieces, np.array([f]), rate, noise_std)[0]
     ratio = float((amplitude**2 * weight).sum())
     std = np.sqrt(24 / (max(ratio, 1e-12) * L**3 * K)) * rate / (2 * np.pi)  # Rife and Boorstyn 1974, unknown phase
     return Line(float(f), min(float(std), rate / L), amplitude, noise_std * np.sqrt(2 / (L * K)), sigma, noise_std)
 
 
-def _fit_squared_amplitudes(pieces: Array, frequency: float, rate: float) -> Array:
-    """(6,), mean over the pieces of the squared amplitude of a fitted sinusoid."""
-    L = pieces.shape[1]
-    wave = _wave(frequency, L, rate)
-    coefficients = np.linalg.solve(wave.T @ wave, np.tensordot(wave.T, pieces, axes=(1, 1)).reshape(2, -1))
-    return np.asarray((coefficients**2).sum(axis=0).reshape(len(pieces), -1).mean(axis=0))
+def _cut(noise: list[Array], length: int) -> Array:
+    """(K, length, 6), the holds in pieces, what is left at the end of each dropped."""
+    return np.array([part[k : k + length] for part in noise for k in range(0, len(part) - length + 1, length)])
+
+
+def _fit_amplitudes(pieces: Array, frequencies: Array, rate: float, noise_std: Array) -> Array:
+    """(n, 6), root mean squares over the pieces of the amplitudes of n sinusoids, freed of what the noise adds to them."""
+    squared = _fit_squared_amplitudes(pieces, frequencies, rate) - 4 * noise_std**2 / pieces.shape[1]
+    return np.asarray(np.sqrt(np.maximum(squared, 0.0)))
+
+
+def _fit_squared_amplitudes(pieces: Array, frequencies: Array, rate: float) -> Array:
+    """(n, 6), means over the pieces of the squared amplitudes of n sinusoids that are fitted together."""
+    waves = np.hstack([_wave(f, pieces.shape[1], rate) for f in frequencies])
+    coefficients = np.linalg.solve(waves.T @ waves, np.tensordot(waves.T, pieces, axes=(1, 1)).reshape(waves.shape[1], -1))
+    return np.asarray((coefficients**2).reshape(len(frequencies), 2, len(pieces), -1).sum(axis=1).mean(axis=1))
 
 
 def _floor(power: Array) -> Array:
