@@ -23,6 +23,8 @@ PIECE_S, HARMONICS = 0.2, 5
 """In which the power of a line is measured, and how many of its multiples with it."""
 LOWEST_HZ = 10.0
 """Slower than this, a line may be the arm or a swinging load."""
+DETRENDED = 3
+"""Bins of the spectrum that a quadratic trend empties."""
 REACH = 16
 """Bins of the spectrum to either side that tell what the noise is there."""
 
@@ -162,11 +164,15 @@ def _fit_squared_amplitudes(pieces: Array, frequencies: Array, rate: float) -> A
 
 
 def _floor(power: Array) -> Array:
-    """Median of the bins below or above each bin, whichever is larger: beside a slope or a resonance a bin is no line."""
-    size = (REACH, 1)
-    below = median_filter(power, size=size, mode="nearest", origin=(REACH // 2 - 1, 0))
-    above = median_filter(power, size=size, mode="nearest", origin=(-(REACH // 2), 0))
-    return np.maximum(np.maximum(below, above), np.finfo(float).tiny)
+    """Median of the bins below or above each bin, whichever is larger: beside a slope or a resonance a bin is no line.
+
+    The lowest bins have lost their power with the trend and say nothing of what is beside them.
+    """
+    size, kept = (REACH, 1), power[DETRENDED:]
+    below = median_filter(kept, size=size, mode="reflect", origin=(REACH // 2 - 1, 0))
+    above = median_filter(kept, size=size, mode="reflect", origin=(-(REACH // 2), 0))
+    floor = np.maximum(np.maximum(below, above), np.finfo(float).tiny)
+    return np.concatenate([np.repeat(floor[:1], DETRENDED, axis=0), floor])
 
 
 def _power(x: Array, frequency: float, rate: float) -> float:

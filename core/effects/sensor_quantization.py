@@ -18,12 +18,17 @@ MATERIAL = 1.0
 RESTING = 0.5
 """Share of rows that repeat the one before; noise on a grid as fine as half of its usual step repeats itself less often."""
 JUMPS = 20
-"""Fewer changes of a value do not tell a dead band."""
+"""Fewer changes of a value do not tell a dead band, fewer holes between values no missing codes."""
+OFTEN = 5
+"""Times that a value has to be reached to say that its neighbour would have been, too."""
+AS_LARGE = 0.9
+"""Of holes of one size the smallest is at least this share of the largest."""
 
 
 class SensorQuantization(Symptom):
     """`round(W / d) d`: the step `d` read off the distinct values of each channel, over the run or in the hold in which they are coarsest
-    (a number with few digits is coarse where it is large). A channel that rests until it has moved by `d` (a dead band) has steps as well.
+    (a number with few digits is coarse where it is large). A channel that rests until it has moved by `d` (a dead band) has steps as well,
+    and so has a converter that never gives some of its codes.
 
     Material where `d` is coarser than stated and larger than the noise of a sample: finer steps are dithered away by the noise itself.
     """
@@ -74,7 +79,7 @@ class SensorQuantization(Symptom):
 def _coarsest(channel: Array, holds: tuple[slice, ...]) -> float:
     """The largest of the steps by which a channel (N,) was seen to move; 0 where none was seen."""
     parts = (channel, *(channel[hold] for hold in holds))
-    return max(dead_band(channel), *(step_of(part) or 0.0 for part in parts))
+    return max(dead_band(channel), find_hole(channel), *(step_of(part) or 0.0 for part in parts))
 
 
 def dead_band(channel: Array) -> float:
@@ -86,6 +91,18 @@ def dead_band(channel: Array) -> float:
     changes = np.abs(np.diff(channel))[inside[1:] & inside[:-1]]
     jumps = changes[changes > 0]
     return float(np.median(jumps)) if JUMPS <= len(jumps) < (1.0 - RESTING) * len(changes) else 0.0
+
+
+def find_hole(channel: Array) -> float:
+    """The largest hole between values of a channel (N,) that it never enters though it often comes to both its ends, of those that are as
+    large as many others; 0 where there are none."""
+    rounded = np.round(channel, 9)
+    values, times = np.unique(rounded[np.diff(rounded, prepend=np.nan) != 0], return_counts=True)
+    often = times >= OFTEN
+    holes = np.sort(np.diff(values)[often[1:] & often[:-1]])
+    alike = holes[: max(0, len(holes) - JUMPS + 1)]
+    alike = alike[alike >= AS_LARGE * holes[JUMPS - 1 :]]
+    return float(alike[-1]) if len(alike) else 0.0
 
 
 def step_of(channel: Array) -> float | None:

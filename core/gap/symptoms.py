@@ -49,8 +49,7 @@ def observe_symptoms(recording: Recording, windows: Windows, nominal: EffectFit,
             continue
         doubtful = symptom.side == "reference" and finding.material and is_doubtful(windows, fit)
         found.append((symptom, _mark_doubtful(finding) if doubtful else finding))
-    behind = {name for symptom, _ in found for name in symptom.explains}
-    own = [(symptom, finding) for symptom, finding in found if symptom.id not in behind]
+    own = [each for each in found if not any(_stands_before(other, each) for other in found)]
     return [_also(recording, *seen) for seen in sorted(own, key=lambda seen: (not seen[1].material, -seen[1].sigma))]
 
 
@@ -78,6 +77,11 @@ def observe_joints(recording: Recording) -> list[Also]:
 def find_leading(also: list[Also]) -> list[Message]:
     """What is material about the reference and the readings."""
     return [it.message for side in LEADING for it in also if it.side == side and it.material]
+
+
+def _stands_before(other: tuple[Symptom, Finding], seen: tuple[Symptom, Finding]) -> bool:
+    """Whether what was seen comes along with another symptom: what does not matter accounts for nothing that does."""
+    return seen[0].id in other[0].explains and (other[1].material or not seen[1].material)
 
 
 def _mark_doubtful(finding: Finding) -> Finding:

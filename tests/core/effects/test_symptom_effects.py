@@ -17,7 +17,7 @@ from core.effects.hold_noise import line_in
 from core.effects.sample_dropout import SampleDropout, find_lost_share
 from core.effects.sensor_interference import SensorInterference
 from core.effects.sensor_noise import SensorNoise
-from core.effects.sensor_quantization import SensorQuantization, step_of
+from core.effects.sensor_quantization import SensorQuantization, find_hole, step_of
 from core.recording.held_readings import find_held_share
 from core.recording.recording import Recording, SensorDescription
 from tests.core.effects.synthetic_scene import NOISE, RESOLUTION, scene
@@ -251,6 +251,25 @@ def test_a_channel_clipped_at_both_ends_does_not_rest_in_between() -> None:
     assert SensorQuantization().observe(replace(record, wrench=clipped), view_of(record)) is None
 
 
+def test_a_converter_that_never_gives_every_other_code_has_steps_as_wide_as_its_holes() -> None:
+    record = recording(noise=1.5 * NOISE)
+    code = np.round(record.wrench / RESOLUTION).astype(int)
+    stuck = np.where(code % 4 == 1, code - 1, np.where(code % 4 == 2, code + 1, code)) * RESOLUTION  # 0, 3, 4, 7, 8 ...
+    assert step_of(stuck[:, 0]) == pytest.approx(RESOLUTION[0])  # what is usual does not say what is never there
+    finding = SensorQuantization().observe(replace(record, wrench=stuck), view_of(record))
+    assert finding is not None and finding.material
+    np.testing.assert_allclose(finding.theta, 3.0 * RESOLUTION, rtol=1e-6)
+
+
+def test_values_that_a_channel_only_happens_not_to_take_are_no_holes() -> None:
+    rng = np.random.default_rng(1)
+    swept = 5.0 * np.sin(np.linspace(0.0, 9.0, 20_000)) + 0.05 * rng.standard_normal(20_000)
+    fine, middle, coarse = (find_hole(np.round(swept / step) * step) for step in (1e-4, 0.004, 0.02))
+    assert len(np.unique(np.round(swept / 1e-4))) > 15_000
+    assert fine <= 2e-4 and middle == pytest.approx(0.004) and coarse == pytest.approx(0.02)
+    assert find_hole(swept) == 0.0
+
+
 def test_a_channel_that_is_not_rounded_has_no_step() -> None:
     assert step_of(np.random.default_rng(1).standard_normal(5000)) is None
 
@@ -354,6 +373,11 @@ def test_chance_repeats_of_rounded_noise_are_not_counted_as_held(share: float, s
     w = w[np.maximum.accumulate(np.where(rng.random(4000) >= share, np.arange(4000), 0))]
     found, rows, _ = find_held_share(w)
     assert rows == 0 or found == pytest.approx(share, abs=0.08)
+
+
+@pytest.mark.parametrize("coloured", [0.7, 0.8, 0.85, 0.9])
+def test_the_knee_of_coloured_noise_is_no_line(coloured: float) -> None:
+    assert all(seen(SensorInterference(), recording(seed=seed, coloured=coloured, noise=4.0 * NOISE)) is None for seed in range(8))
 
 
 @pytest.mark.parametrize("coloured", [0.6, 0.8, 0.9, 0.97])

@@ -61,6 +61,16 @@ def test_noise_of_the_sensor_alone_is_no_vibration(run: Run) -> None:
     assert (diagnosis.verdict, [each.id for each in diagnosis.also if each.material]) == ("no_gap", ["sensor_noise"])
 
 
+def test_noise_that_matters_stands_beside_a_line_that_does_not(run: Run) -> None:
+    rng = np.random.default_rng(7)
+    recording = record(run, payload("steel_block"), rng)
+    std = recording.sensor.noise_std
+    line = np.sin(2.0 * np.pi * 23.0 * run.t)[:, None] * 1.5 * std
+    noisy = recording.wrench + 4.0 * std * rng.normal(size=recording.wrench.shape) + line
+    diagnosis, _ = examine(replace(recording, wrench=noisy), [], fit_all=one_by_one)
+    assert {each.id: each.material for each in diagnosis.also} == {"sensor_noise": True, "sensor_interference": False}
+
+
 def test_a_line_of_the_mains_is_no_vibration(run: Run) -> None:
     recording = record(run, payload("steel_block"), np.random.default_rng(6))
     line = np.outer(np.sin(2.0 * np.pi * 11.0 * run.t), [0.4, 0.0, 0.0, 0.0, 0.02, 0.0])
