@@ -48,7 +48,7 @@ def hang(
 
 
 @njit(cache=True)
-def _pull(row: Array, nx: float, ny: float, nz: float, vx: float, vy: float, vz: float, friction: float) -> tuple[float, float, float]:
+def accelerate(row: Array, nx: float, ny: float, nz: float, vx: float, vy: float, vz: float, friction: float) -> tuple[float, float, float]:
     """n'' for one row: the pull (1/s2) and the angular velocity of the body."""
     x = row[0] - friction * (vx - row[4] * nz + row[5] * ny)
     y = row[1] - friction * (vy - row[5] * nx + row[3] * nz)
@@ -70,18 +70,18 @@ def _integrate(rows: Array, friction: float, period: float, steps: int, n: Array
                 slope[c] = (rows[i, c] - rows[i - 1, c]) / steps
                 now[c] = rows[i - 1, c]
         for _ in range(steps if i > 0 else 0):
-            ax, ay, az = _pull(now, nx, ny, nz, vx, vy, vz, friction)
+            ax, ay, az = accelerate(now, nx, ny, nz, vx, vy, vz, friction)
             for c in range(6):
                 half[c] = now[c] + 0.5 * slope[c]
                 now[c] += slope[c]
             px, py, pz = nx + 0.5 * h * vx, ny + 0.5 * h * vy, nz + 0.5 * h * vz
-            bx, by, bz = _pull(half, px, py, pz, vx + 0.5 * h * ax, vy + 0.5 * h * ay, vz + 0.5 * h * az, friction)
+            bx, by, bz = accelerate(half, px, py, pz, vx + 0.5 * h * ax, vy + 0.5 * h * ay, vz + 0.5 * h * az, friction)
             s = 0.25 * h * h
             px, py, pz = px + s * ax, py + s * ay, pz + s * az
-            cx, cy, cz = _pull(half, px, py, pz, vx + 0.5 * h * bx, vy + 0.5 * h * by, vz + 0.5 * h * bz, friction)
+            cx, cy, cz = accelerate(half, px, py, pz, vx + 0.5 * h * bx, vy + 0.5 * h * by, vz + 0.5 * h * bz, friction)
             s = 0.5 * h * h
             px, py, pz = nx + h * vx + s * bx, ny + h * vy + s * by, nz + h * vz + s * bz
-            dx, dy, dz = _pull(now, px, py, pz, vx + h * cx, vy + h * cy, vz + h * cz, friction)
+            dx, dy, dz = accelerate(now, px, py, pz, vx + h * cx, vy + h * cy, vz + h * cz, friction)
             s = h * h / 6.0
             nx, ny, nz = nx + h * vx + s * (ax + bx + cx), ny + h * vy + s * (ay + by + cy), nz + h * vz + s * (az + bz + cz)
             vx += h / 6.0 * (ax + 2.0 * (bx + cx) + dx)
@@ -92,5 +92,5 @@ def _integrate(rows: Array, friction: float, period: float, steps: int, n: Array
             along = vx * nx + vy * ny + vz * nz
             vx, vy, vz = vx - along * nx, vy - along * ny, vz - along * nz
         out[i, 0], out[i, 1], out[i, 2], out[i, 3], out[i, 4], out[i, 5] = nx, ny, nz, vx, vy, vz
-        out[i, 6], out[i, 7], out[i, 8] = _pull(rows[i], nx, ny, nz, vx, vy, vz, friction)
+        out[i, 6], out[i, 7], out[i, 8] = accelerate(rows[i], nx, ny, nz, vx, vy, vz, friction)
     return out

@@ -133,6 +133,7 @@ PIECES = {
     "twist_square": Message.of("effect-parameter-twist-square"),
     "upper_limit": Message.of("effect-parameter-upper-limit"),
     "viscous": Message.of("effect-parameter-viscous"),
+    "wall": Message.of("effect-parameter-wall"),
     "winding_friction": Message.of("effect-parameter-winding-friction"),
     "yield": Message.of("effect-parameter-yield"),
 }

@@ -135,6 +135,7 @@ CODES = {
     "twist_square": "report-of-twist-square",
     "upper_limit": "report-of-upper-limit",
     "viscous": "report-of-viscous",
+    "wall": "report-of-wall",
     "winding_friction": "report-of-winding-friction",
     "yield": "report-of-yield",
 }

@@ -21,6 +21,7 @@ advice-payload-loose-fluid = Füllen oder leeren Sie, worin in der Last etwas fl
 advice-payload-loose-hanging = Befestigen Sie das lose Teil der Last: etwa { PERCENT($mass_share) } % ihrer Masse hängen { MILLI($sag_m) } mm unter der Aufhängung und schwingen mit { FIXED($frequency_hz, digits: 1) } Hz.
 advice-payload-loose-hinge = Befestigen Sie das drehbare Teil der Last: seine schwere Seite sinkt nach unten. Sein statisches Moment um die Drehachse beträgt { MILLI($first_moment_kg_m, digits: 1) } kg mm.
 advice-payload-loose-stops = Befestigen Sie das lose Teil der Last: es rutscht von Anschlag zu Anschlag und ändert das statische Moment um { MILLI($first_moment_kg_m, digits: 1) } kg mm nach jeder Seite.
+advice-payload-loose-vessel = Befestigen Sie, was in der Last schwingt, oder füllen Sie den Behälter: etwa { PERCENT($mass_share) } % der Masse schwingen mit { FIXED($frequency_hz, digits: 1) } Hz, bis eine Wand sie { DEGREES($wall_rad, digits: 0) }° neben der Mitte anhält.
 advice-payload-mass-gained = Prüfen Sie die Last: bei { FIXED($at_s, digits: 1) } s gewann sie { MILLI($mass_kg) } g bei ({ MILLI($x_m) }; { MILLI($y_m) }; { MILLI($z_m) }) mm vom Sensor; identifizieren Sie sie danach erneut.
 advice-payload-mass-lost = Prüfen Sie die Last: bei { FIXED($at_s, digits: 1) } s verlor sie { MILLI($mass_kg) } g bei ({ MILLI($x_m) }; { MILLI($y_m) }; { MILLI($z_m) }) mm vom Sensor; identifizieren Sie sie danach erneut.
 advice-payload-mismatch = Prüfen Sie, ob die richtige Last montiert ist, und ersetzen Sie die Referenz durch die gefundenen Werte.

@@ -183,5 +183,6 @@ effect-parameter-twist-linear = Verdrehung, linear
 effect-parameter-twist-square = Verdrehung, quadratisch
 effect-parameter-upper-limit = obere Grenze
 effect-parameter-viscous = viskose Reibung
+effect-parameter-wall = Winkel von der Mitte zur Wand
 effect-parameter-winding-friction = Reibung beim Auf- und Abwickeln
 effect-parameter-yield = Weg, bis die Reibung voll wirkt

@@ -407,6 +407,7 @@ report-of-twist-linear = Verdrehung, linear
 report-of-twist-square = Verdrehung, quadratisch
 report-of-upper-limit = obere Grenze
 report-of-viscous = viskose Reibung
+report-of-wall = Winkel von der Mitte zur Wand
 report-of-winding-friction = Reibung beim Auf- und Abwickeln
 report-of-yield = Weg, bis die Reibung voll wirkt
 report-joints = Gelenke

@@ -21,6 +21,7 @@ advice-payload-loose-fluid = Fill or empty what holds fluid in the payload: it c
 advice-payload-loose-hanging = Fasten the loose part of the payload: about { PERCENT($mass_share) } % of its mass hangs { MILLI($sag_m) } mm below where it is held and swings at { FIXED($frequency_hz, digits: 1) } Hz.
 advice-payload-loose-hinge = Fasten the part of the payload that turns on a hinge: its heavy side goes down. Its first moment about the hinge is { MILLI($first_moment_kg_m, digits: 1) } kg mm.
 advice-payload-loose-stops = Fasten the loose part of the payload: it slides from stop to stop and moves the first moment by { MILLI($first_moment_kg_m, digits: 1) } kg mm to either side.
+advice-payload-loose-vessel = Fasten what swings in the payload, or fill its vessel: about { PERCENT($mass_share) } % of the mass swings at { FIXED($frequency_hz, digits: 1) } Hz, until a wall stops it { DEGREES($wall_rad, digits: 0) } deg from the middle.
 advice-payload-mass-gained = Check the payload: at { FIXED($at_s, digits: 1) } s it gained { MILLI($mass_kg) } g at ({ MILLI($x_m) }, { MILLI($y_m) }, { MILLI($z_m) }) mm from the sensor; identify it again afterwards.
 advice-payload-mass-lost = Check the payload: at { FIXED($at_s, digits: 1) } s it lost { MILLI($mass_kg) } g at ({ MILLI($x_m) }, { MILLI($y_m) }, { MILLI($z_m) }) mm from the sensor; identify it again afterwards.
 advice-payload-mismatch = Check that the right payload is mounted and replace the reference by the identified parameters.

@@ -183,5 +183,6 @@ effect-parameter-twist-linear = twist, linear
 effect-parameter-twist-square = twist, quadratic
 effect-parameter-upper-limit = upper limit
 effect-parameter-viscous = viscous friction
+effect-parameter-wall = angle from the middle to the wall
 effect-parameter-winding-friction = friction where it is wound
 effect-parameter-yield = way until friction acts in full

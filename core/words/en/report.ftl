@@ -409,6 +409,7 @@ report-of-twist-linear = twist linear
 report-of-twist-square = twist square
 report-of-upper-limit = upper limit
 report-of-viscous = viscous
+report-of-wall = angle from the middle to the wall
 report-of-winding-friction = friction where it is wound
 report-of-yield = way until friction acts in full
 report-joints = Joints

@@ -158,6 +158,7 @@ export const deEffects: typeof enEffects = {
     twist_square: 'Verdrehung, quadratisch',
     upper_limit: 'obere Grenze',
     viscous: 'viskose Reibung',
+    wall: 'Winkel von der Mitte zur Wand',
     winding_friction: 'Reibung beim Auf- und Abwickeln',
     yield: 'Weg, bis die Reibung voll wirkt',
   },
