@@ -3,10 +3,13 @@
 e is what the link is ahead of its motor, tau what the rigid arm along the motors' motion asks of the joints. Solved for
 `z = C^-1/2 e`, C = 1/K: rigid joints (C = 0) need no case of their own, and each mode of `C^1/2 M C^1/2` is one over the square of its
 angular frequency. Springs may lose: beside each acts Dahl's friction, `r K b s` with `ds = (1 - sign(de) s) de / b`, by which they are
-1 + r times as stiff after a turn back, until they have given way by about b.
+1 + r times as stiff after a turn back, until they have given way by about b. Or they harden: `K (x + r (x - w tanh(x / w)))`, by which
+they are 1 + r times as stiff where they have given way by more than about w.
 """
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import numpy as np
 from numba import njit
@@ -21,8 +24,23 @@ BETA = 0.25 * (0.5 + GAMMA) ** 2
 0.5 % too slow and seems damped by another 0.6 % of the critical damping."""
 
 
-NOTHING_LOST = (0.0, 1.0)
-"""Springs without Dahl's friction."""
+class Spring(NamedTuple):
+    """What the springs of all joints are beside their stiffness.
+
+    Args:
+        turned, bend: by how much stiffer after a turn back, as a share, and until how far, rad.
+        loaded, wind_up: by how much stiffer under much load, as a share, and from how far on, rad.
+    """
+
+    turned: float = 0.0
+    bend: float = 1.0
+    loaded: float = 0.0
+    wind_up: float = 1.0
+
+
+LINEAR = Spring()
+NEWTON_STEPS = 30
+"""To where a spring that hardens rests; each halves what is missing at least."""
 
 
 def deflection(
@@ -33,7 +51,7 @@ def deflection(
     period: float,
     past: Past | None = None,
     share: float = 1.0,
-    loss: tuple[float, float] = NOTHING_LOST,
+    spring: Spring = LINEAR,
 ) -> tuple[Array, Array]:
     """Deflection (N, n), rad, and its second derivative, rad/s2, of joints that follow their load when the run begins.
 
@@ -47,22 +65,31 @@ def deflection(
         period: of the rows, s.
         past: of a run that comes in blocks.
         share: of the inertia that swings.
-        loss: r, by how much stiffer the springs are after a turn back, as a share; and b, rad.
+        spring: of every joint, beside its stiffness.
     """
     past = past or Past()
     soft = np.flatnonzero(compliance > 0.0)
     root = np.sqrt(compliance[soft])
     pull = -load[:, soft] * root
     start = (
-        np.stack([pull[0], np.full_like(root, np.nan), np.zeros_like(root), pull[0], np.zeros_like(root)])
+        np.stack([_rest(pull[0], root, spring), np.full_like(root, np.nan), np.zeros_like(root), pull[0], np.zeros_like(root)])
         if past.rows is None
         else past.rows
     )
-    z, acceleration, end = _swing(inertia, share, soft, root, pull, start, damping, period, past.rows is None, loss)
+    z, acceleration, end = _swing(inertia, share, soft, root, pull, start, damping, period, past.rows is None, spring)
     past.rows = end
     error, second = np.zeros_like(load), np.zeros_like(load)
     error[:, soft], second[:, soft] = root * z, root * acceleration
     return error, second
+
+
+def _rest(pull: Array, root: Array, spring: Spring) -> Array:
+    """(k,), z at which springs rest under a pull (k,), relaxed."""
+    z = pull / (1.0 + spring.loaded)
+    for _ in range(NEWTON_STEPS if spring.loaded else 0):
+        hard = np.tanh(root * z / spring.wind_up)
+        z = z - (z + spring.loaded * (z - spring.wind_up / root * hard) - pull) / (1.0 + spring.loaded * hard**2)
+    return z
 
 
 @njit(cache=True)
@@ -76,7 +103,7 @@ def _swing(
     damping: float,
     h: float,
     at_rest: bool,
-    loss: tuple[float, float],
+    spring: Spring,
 ) -> tuple[Array, Array, Array]:
     """z, z'' (N, k) and the end (5, k): z, z', z'', the pull on it and Dahl's s; `start` likewise, its z' NaN until the second row of the
     run."""
@@ -84,7 +111,7 @@ def _swing(
     out, second = np.empty((N, k)), np.empty((N, k))
     end = start.copy()
     z, v, a, before, s = end[0], end[1], end[2], end[3], end[4]
-    stiffer, bend = loss
+    turned, bend, loaded, wind_up = spring
     A, one_over, d, x, y = np.empty((k, k)), np.empty(k), np.empty(k), np.empty(k), np.empty(k)
     for t in range(N):
         if t > 0 or not at_rest:
@@ -94,12 +121,15 @@ def _swing(
                 for j in range(i + 1):
                     A[i, j] = root[i] * root[j] * (share * inertia[t, soft[i], soft[j]])
                 d[i] = 2.0 * damping * np.sqrt(max(A[i, i], 0.0))
-                tangent = stiffer * (1.0 - np.sign(v[i]) * s[i])  # of Dahl's friction on the way that it goes
+                hard = np.tanh(root[i] * z[i] / wind_up)
+                tangent = turned * (1.0 - np.sign(v[i]) * s[i]) + loaded * hard * hard  # on the way that it goes
                 A[i, i] += GAMMA * h * d[i] + BETA * h * h * (1.0 + tangent)
             _factorise(A, one_over, 0.01 * h * h)
             for i in range(k):
                 way = h * v[i] + (0.5 - BETA) * h * h * a[i]
-                held = stiffer * (bend / root[i] * s[i] + (1.0 - np.sign(v[i]) * s[i]) * way)
+                hard = np.tanh(root[i] * z[i] / wind_up)
+                held = turned * (bend / root[i] * s[i] + (1.0 - np.sign(v[i]) * s[i]) * way)
+                held += loaded * (z[i] - wind_up / root[i] * hard + hard * hard * way)
                 y[i] = z[i]
                 z[i] += way
                 v[i] += (1.0 - GAMMA) * h * a[i]
@@ -109,8 +139,8 @@ def _swing(
                 a[i] = x[i]
                 v[i] += GAMMA * h * a[i]
                 z[i] += BETA * h * h * a[i]
-                turned = root[i] * (z[i] - y[i])
-                s[i] = np.sign(turned) + (s[i] - np.sign(turned)) * np.exp(-abs(turned) / bend)
+                went = root[i] * (z[i] - y[i])
+                s[i] = np.sign(went) + (s[i] - np.sign(went)) * np.exp(-abs(went) / bend)
         for i in range(k):
             out[t, i], second[t, i], before[i] = z[i], a[i], pull[t, i]
     return out, second, end

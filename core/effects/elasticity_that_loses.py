@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from core.array import Array
+from core.effects.deflection import Spring
 from core.effects.effect import Parameter
 from core.effects.joint_elasticity import JointElasticity
 from core.effects.scene import Scene
@@ -30,9 +31,9 @@ class ElasticityThatLoses(JointElasticity):
             Parameter("turn_back_rad", "rad", 1e-3, 3e-5, 2e-2, 1e-3),
         )
 
-    def find_loss(self, theta: Array) -> tuple[float, float]:
-        """r and b."""
-        return float(theta[-2]), float(theta[-1])
+    def find_spring(self, theta: Array) -> Spring:
+        """With r and b."""
+        return Spring(turned=float(theta[-2]), bend=float(theta[-1]))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """None: it shows where springs that lose nothing leave something."""

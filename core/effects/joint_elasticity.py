@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from core.array import Array
-from core.effects.deflection import NOTHING_LOST, deflection
+from core.effects.deflection import LINEAR, Spring, deflection
 from core.effects.effect import Effect, Parameter
 from core.effects.joint_error import find_largest_joint, joint_count, rigid_load, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
@@ -39,14 +39,14 @@ class JointElasticity(Effect):
         n, past = joint_count(scene), scene.past("deflection")
         share, damping = theta[n : n + 2]
         error, acceleration = deflection(
-            scene.joint_inertia, rigid_load(scene), theta[:n], damping, scene.period, past, share, self.find_loss(theta)
+            scene.joint_inertia, rigid_load(scene), theta[:n], damping, scene.period, past, share, self.find_spring(theta)
         )
         return w + wrench_change(scene, true_motion(scene, error, acceleration))
 
-    def find_loss(self, theta: Array) -> tuple[float, float]:
-        """By how much stiffer the springs are after a turn back, as a share, and until how far, rad: not at all."""
+    def find_spring(self, theta: Array) -> Spring:
+        """What the springs are beside their stiffness: nothing."""
         del theta
-        return NOTHING_LOST
+        return LINEAR
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Joints from stiff to soft with the inertia that is known, well damped so that a wrong frequency still points to the right one;

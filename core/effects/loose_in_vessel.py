@@ -18,14 +18,14 @@ from core.effects.vectors import add_force, find_specific_force, turn, turn_back
 from core.payload.rotations import cross
 from core.words.message import Message
 
-LONGEST_STEP_S, MOST_STEPS = 0.0025, 16
+LONGEST_STEP_S, MOST_STEPS = 0.004, 16
 """Of the integration, and how many from row to row: so many only in a search, which looks at few rows."""
 START_KG_M = 0.005
 START_HZ, START_DAMPING, WALLS_RAD = 2.0, 0.1, (0.4, 0.8, 1.4)
 """From which fits start."""
 STEPS = np.array([*[0.3 * START_KG_M] * 3, 0.0, 0.0, 0.2, *[0.0] * 3])
 """By which the most promising are moved at first: axis and walls."""
-TRIED = 6
+TRIED = 4
 
 
 class LooseInVessel(PayloadLoose):
@@ -37,7 +37,7 @@ class LooseInVessel(PayloadLoose):
     """
 
     wider_shape = True
-    followed = 3
+    followed = 2
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """First moment of the part about r where it lies along the vessel's axis (3), kg m, sensor axes, frequency, Hz, and damping ratio

@@ -112,6 +112,7 @@ PIECES = {
     "step_time": Message.of("effect-parameter-step-time"),
     "stiffness": Message.of("effect-parameter-stiffness"),
     "stiffer_after_turn": Message.of("effect-parameter-stiffer-after-turn"),
+    "stiffer_under_load": Message.of("effect-parameter-stiffer-under-load"),
     "stop": Message.of("effect-parameter-stop"),
     "stop_back": Message.of("effect-parameter-stop-back"),
     "stop_forth": Message.of("effect-parameter-stop-forth"),
@@ -134,6 +135,7 @@ PIECES = {
     "upper_limit": Message.of("effect-parameter-upper-limit"),
     "viscous": Message.of("effect-parameter-viscous"),
     "wall": Message.of("effect-parameter-wall"),
+    "wind_up": Message.of("effect-parameter-wind-up"),
     "winding_friction": Message.of("effect-parameter-winding-friction"),
     "yield": Message.of("effect-parameter-yield"),
 }

@@ -114,6 +114,7 @@ CODES = {
     "step_time": "report-of-step-time",
     "stiffness": "report-of-stiffness",
     "stiffer_after_turn": "report-of-stiffer-after-turn",
+    "stiffer_under_load": "report-of-stiffer-under-load",
     "stop": "report-of-stop",
     "stop_back": "report-of-stop-back",
     "stop_forth": "report-of-stop-forth",
@@ -136,6 +137,7 @@ CODES = {
     "upper_limit": "report-of-upper-limit",
     "viscous": "report-of-viscous",
     "wall": "report-of-wall",
+    "wind_up": "report-of-wind-up",
     "winding_friction": "report-of-winding-friction",
     "yield": "report-of-yield",
 }

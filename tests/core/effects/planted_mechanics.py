@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
+from scipy.optimize import fsolve
 from scipy.spatial.transform import Rotation
 
 from core.effects.base_tilt import BaseTilt
@@ -116,8 +117,9 @@ def loose() -> Array:
     return rigid.wrench(POINTS[still], MASSES[still]) + np.hstack([f, np.cross(r + u, f)])
 
 
-def swung() -> Array:
-    """Joints on springs behind motors whose motion is known, with the inertia of arm and point masses; the first joint is rigid."""
+def swung(loaded: float = 0.0, wind_up: float = 1.0) -> Array:
+    """Joints on springs behind motors whose motion is known, with the inertia of arm and point masses; the first joint is rigid. The
+    springs are 1 + `loaded` times as stiff where they have given way by more than about `wind_up`, rad."""
     J, soft = scene().jacobian, np.flatnonzero(SOFT)
     M = ARM + sum(
         m * np.einsum("nij,nik->njk", P, P) for m, P in zip(MASSES, (J[:, :3] - crossing(r) @ J[:, 3:] for r in POINTS), strict=True)
@@ -130,9 +132,15 @@ def swung() -> Array:
     def rate(t: float, state: Array) -> Array:
         e, de = state.reshape(2, -1)
         damping = 2 * SWING * np.sqrt(stiffness * np.diag(inertia(t)))
-        return np.append(de, np.linalg.solve(inertia(t), -pull(t) - stiffness * e - damping * de))
+        return np.append(de, np.linalg.solve(inertia(t), -pull(t) - hold(e) - damping * de))
 
-    follows = -np.append(pull(0.0), (pull(1e-4) - pull(-1e-4)) / 2e-4) / np.tile(stiffness, 2)
+    def hold(e: Array) -> Array:
+        return stiffness * (e + loaded * (e - wind_up * np.tanh(e / wind_up)))
+
+    def rest(t: float) -> Array:
+        return fsolve(lambda e: hold(e) + pull(t), -pull(t) / stiffness, xtol=1e-12)
+
+    follows = np.append(rest(0.0), (rest(1e-4) - rest(-1e-4)) / 2e-4)
     deflection = solve_ivp(rate, (T[0], T[-1]), follows, method="DOP853", dense_output=True, rtol=1e-8, atol=1e-11).sol
 
     def true_joints(t: Array) -> Array:

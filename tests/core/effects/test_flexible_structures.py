@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
+from scipy.optimize import fsolve
 
-from core.effects.deflection import deflection
+from core.effects.deflection import Spring, deflection
 from core.effects.memory import Memory
 from core.effects.tool_flexibility import ToolFlexibility
 from tests.core.effects.mass_on_slides import wrench_of_slides
@@ -41,13 +42,13 @@ def test_coupled_joints_swing_as_their_equation_of_motion_says() -> None:
     assert np.sqrt(np.mean((dde - acceleration) ** 2)) < 0.15 * np.sqrt(np.mean(acceleration**2))
 
 
-LOSS = (1.5, 1e-3)
+LOSS = Spring(turned=1.5, bend=1e-3)
 """Dahl's friction beside each spring: 2.5 times as stiff after a turn back, over 1 mrad."""
 
 
 def swing_and_lose() -> np.ndarray:
     """(N, 2), rad; with a state more for each joint, `ds = (1 - sign(de) s) de / b`."""
-    load, (stiffer, bend) = CubicSpline(T, LOAD), LOSS
+    load, (stiffer, bend) = CubicSpline(T, LOAD), LOSS[:2]
     damping = 2 * ZETA * np.sqrt(STIFFNESS * np.diag(INERTIA))
 
     def rate(t: float, state: np.ndarray) -> np.ndarray:
@@ -60,11 +61,40 @@ def swing_and_lose() -> np.ndarray:
 
 
 def test_springs_that_lose_swing_as_their_equation_of_motion_with_dahl_s_friction_says() -> None:
-    e, _ = deflection(np.broadcast_to(INERTIA, (len(T), 2, 2)), LOAD, 1 / STIFFNESS, ZETA, 0.005, loss=LOSS)
+    e, _ = deflection(np.broadcast_to(INERTIA, (len(T), 2, 2)), LOAD, 1 / STIFFNESS, ZETA, 0.005, spring=LOSS)
     true, without = swing_and_lose(), swing()[0]
     lost = np.sqrt(np.mean((true - without) ** 2))
     assert lost > 5e-4, "nothing is lost"
     assert np.sqrt(np.mean((e - true) ** 2)) < 0.05 * lost
+
+
+HARD = Spring(loaded=1.6, wind_up=2e-3)
+"""2.6 times as stiff where they have given way by more than 2 mrad."""
+
+
+def swing_and_harden() -> np.ndarray:
+    """(N, 2), rad."""
+    load = CubicSpline(T, LOAD)
+    damping = 2 * ZETA * np.sqrt(STIFFNESS * np.diag(INERTIA))
+
+    def hold(e: np.ndarray) -> np.ndarray:
+        return np.asarray(STIFFNESS * (e + 1.6 * (e - 2e-3 * np.tanh(e / 2e-3))))
+
+    def rate(t: float, state: np.ndarray) -> np.ndarray:
+        e, de = state[:2], state[2:]
+        return np.concatenate([de, np.linalg.solve(INERTIA, -load(t) - hold(e) - damping * de)])
+
+    rest = fsolve(lambda e: hold(e) + LOAD[0], -LOAD[0] / STIFFNESS)
+    stiff = STIFFNESS * (1.0 + 1.6 * np.tanh(rest / 2e-3) ** 2)
+    return solve_ivp(rate, (0, T[-1]), [*rest, *(-load(0.0, 1) / stiff)], t_eval=T, rtol=1e-9, atol=1e-12).y.T[:, :2]
+
+
+def test_springs_that_harden_swing_as_their_equation_of_motion_says() -> None:
+    e, _ = deflection(np.broadcast_to(INERTIA, (len(T), 2, 2)), LOAD, 1 / STIFFNESS, ZETA, 0.005, spring=HARD)
+    true, without = swing_and_harden(), swing()[0]
+    harder = np.sqrt(np.mean((true - without) ** 2))
+    assert harder > 5e-4, "nothing hardens"
+    assert np.sqrt(np.mean((e - true) ** 2)) < 0.05 * harder
 
 
 def test_without_inertia_joints_give_quasi_statically() -> None:
@@ -85,9 +115,9 @@ def test_a_tool_on_a_slide_sags_and_rings_like_a_mass_on_a_spring() -> None:
 
 def test_deflection_goes_on_where_the_last_block_ended() -> None:
     inertia, memory = np.broadcast_to(INERTIA, (len(T), 2, 2)), Memory()
-    whole, _ = deflection(inertia, LOAD, 1 / STIFFNESS, ZETA, 0.005, loss=LOSS)
+    whole, _ = deflection(inertia, LOAD, 1 / STIFFNESS, ZETA, 0.005, spring=LOSS)
     parts = [
-        deflection(inertia[k : k + 37], LOAD[k : k + 37], 1 / STIFFNESS, ZETA, 0.005, memory["x"], loss=LOSS)[0]
+        deflection(inertia[k : k + 37], LOAD[k : k + 37], 1 / STIFFNESS, ZETA, 0.005, memory["x"], spring=LOSS)[0]
         for k in range(0, len(T), 37)
     ]
     np.testing.assert_allclose(np.concatenate(parts), whole, atol=1e-12)
