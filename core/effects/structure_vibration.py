@@ -60,6 +60,7 @@ class StructureVibration(Symptom):
     stage = "environment"
     side = "reading"
     explains = ("sensor_noise", "sensor_interference")
+    explains_when_small = True  # an arm that swings little over the run may swing much in the holds, where noise is measured
     resembled_by = ("payload_loose", "joint_elasticity", "tool_flexibility")  # they swing at a frequency of their own, too
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:

@@ -80,8 +80,9 @@ def find_leading(also: list[Also]) -> list[Message]:
 
 
 def _stands_before(other: tuple[Symptom, Finding], seen: tuple[Symptom, Finding]) -> bool:
-    """Whether what was seen comes along with another symptom: what does not matter accounts for nothing that does."""
-    return seen[0].id in other[0].explains and (other[1].material or not seen[1].material)
+    """Whether what was seen comes along with another symptom: as a rule what does not matter accounts for nothing that does."""
+    symptom, finding = other
+    return seen[0].id in symptom.explains and (finding.material or not seen[1].material or symptom.explains_when_small)
 
 
 def _mark_doubtful(finding: Finding) -> Finding:

@@ -61,6 +61,18 @@ def test_noise_of_the_sensor_alone_is_no_vibration(run: Run) -> None:
     assert (diagnosis.verdict, [each.id for each in diagnosis.also if each.material]) == ("no_gap", ["sensor_noise"])
 
 
+def test_a_vibration_that_does_not_matter_is_not_noise_that_does(run: Run) -> None:
+    body = payload("steel_block")
+    recording = record(run, body, np.random.default_rng(2))
+    size = 2.5 * float(recording.sensor.noise_std[:3].min()) / body.phi[0]
+    a = size * np.sin(2.0 * np.pi * 5.0 * run.t)[:, None] * np.full(3, 3.0**-0.5)
+    felt = body.phi[0] * np.einsum("nji,nj->ni", run.rotation, a)
+    shaken = np.hstack((felt, np.cross(body.phi[1:4] / body.phi[0], felt)))
+    wrench = recording.wrench + shaken + 1.4 * recording.sensor.noise_std * np.random.default_rng(3).normal(size=shaken.shape)
+    diagnosis, _ = examine(replace(recording, wrench=wrench), [], fit_all=one_by_one)
+    assert {each.id: each.material for each in diagnosis.also} == {"structure_vibration": False}
+
+
 def test_noise_that_matters_stands_beside_a_line_that_does_not(run: Run) -> None:
     rng = np.random.default_rng(7)
     recording = record(run, payload("steel_block"), rng)
