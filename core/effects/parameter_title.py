@@ -59,6 +59,7 @@ PIECES = {
     "gain_change": Message.of("effect-parameter-gain-change"),
     "gain_error": Message.of("effect-parameter-gain-error"),
     "gear_ratio": Message.of("effect-parameter-gear-ratio"),
+    "grip": Message.of("effect-parameter-grip"),
     "growth": Message.of("effect-parameter-growth"),
     "guide_friction": Message.of("effect-parameter-guide-friction"),
     "half_width": Message.of("effect-parameter-half-width"),

@@ -58,6 +58,7 @@ CODES = {
     "gain_change": "report-of-gain-change",
     "gain_error": "report-of-gain-error",
     "gear_ratio": "report-of-gear-ratio",
+    "grip": "report-of-grip",
     "growth": "report-of-growth",
     "guide_friction": "report-of-guide-friction",
     "half_width": "report-of-half-width",

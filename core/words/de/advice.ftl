@@ -55,6 +55,7 @@ advice-sensor-nonlinearity-polynomial = Lassen Sie die Linearität des Sensors m
 advice-sensor-offset-step = Prüfen Sie Stecker und Kabel des Sensors, und nullen Sie ihn: { FIXED($at_s, digits: 1) } s nach dem Anfang sprang sein Nullpunkt um { $step }.
 advice-sensor-quantization = Wählen Sie die feinste Auflösung des Sensors oder einen kleineren Messbereich: { $channel } kommt in Stufen von { $step }; bewegen Sie bis dahin beim Halten ein wenig.
 advice-sensor-rotation = Berichtigen Sie das Sensorkoordinatensystem in der URDF: drehen Sie es um { DEGREES($x_rad, digits: 2) }°, { DEGREES($y_rad, digits: 2) }° und { DEGREES($z_rad, digits: 2) }° um seine Achsen x, y und z, oder montieren Sie den Sensor neu.
+advice-sensor-rotation-rocks = Ziehen Sie die Schrauben des Sensors an: er kippelt mit dem Drehmoment um bis zu { DEGREES($slip_rad, digits: 2) }° nach jeder Seite.
 advice-sensor-saturation-above = Wählen Sie einen größeren Messbereich des Sensors oder eine leichtere Last: { $channel } wird über { $clipped_at } begrenzt (ohne Nullpunkt), der Lauf braucht { $needed }.
 advice-sensor-saturation-below = Wählen Sie einen größeren Messbereich des Sensors oder eine leichtere Last: { $channel } wird unter { $clipped_at } begrenzt (ohne Nullpunkt), der Lauf braucht { $needed }.
 advice-sensor-saturation-bridge = Wählen Sie einen größeren Messbereich des Sensors oder eine leichtere Last: eine seiner Brücken ist in { PERCENT($share) } % des Laufs an ihrem Ende, am meisten fehlt dadurch in { $channel }.

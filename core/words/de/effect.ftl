@@ -110,6 +110,7 @@ effect-parameter-full-scale-error = Fehler bei Vollausschlag
 effect-parameter-gain-change = Änderung der Verstärkung in der ersten Minute
 effect-parameter-gain-error = Verstärkungsfehler
 effect-parameter-gear-ratio = Übersetzung
+effect-parameter-grip = wie früh der Sitz hält
 effect-parameter-growth = Zunahme
 effect-parameter-guide-friction = Reibung der Führung
 effect-parameter-half-width = halbe Breite

@@ -330,6 +330,7 @@ report-of-full-scale-error = Fehler bei Vollausschlag
 report-of-gain-change = Änderung der Verstärkung in der ersten Minute
 report-of-gain-error = Verstärkungsfehler
 report-of-gear-ratio = Übersetzung
+report-of-grip = wie früh der Sitz hält
 report-of-growth = Zunahme
 report-of-guide-friction = Reibung der Führung
 report-of-half-width = halbe Breite

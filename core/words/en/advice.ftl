@@ -55,6 +55,7 @@ advice-sensor-nonlinearity-polynomial = Have the sensor's linearity checked with
 advice-sensor-offset-step = Check the sensor's plug and cable and tare it: { FIXED($at_s, digits: 1) } s after the start its offset jumped by { $step }.
 advice-sensor-quantization = Choose the sensor's finest resolution or a smaller range: { $channel } comes in steps of { $step }; until then move a little during the holds.
 advice-sensor-rotation = Correct the sensor frame in the URDF: turn it by { DEGREES($x_rad, digits: 2) }, { DEGREES($y_rad, digits: 2) } and { DEGREES($z_rad, digits: 2) } deg about its x, y and z axes, or remount the sensor.
+advice-sensor-rotation-rocks = Tighten the bolts of the sensor: it rocks by up to { DEGREES($slip_rad, digits: 2) } deg to either side with the torque on it.
 advice-sensor-saturation-above = Choose a larger range of the sensor or a lighter payload: { $channel } is clipped above { $clipped_at } (without the offset), the run needs { $needed }.
 advice-sensor-saturation-below = Choose a larger range of the sensor or a lighter payload: { $channel } is clipped below { $clipped_at } (without the offset), the run needs { $needed }.
 advice-sensor-saturation-bridge = Choose a larger range of the sensor or a lighter payload: one of its bridges is at its end in { PERCENT($share) } % of the run, and { $channel } loses most by it.

@@ -110,6 +110,7 @@ effect-parameter-full-scale-error = error at full scale
 effect-parameter-gain-change = gain change in the first minute
 effect-parameter-gain-error = gain error
 effect-parameter-gear-ratio = gear ratio
+effect-parameter-grip = how soon its seat holds it
 effect-parameter-growth = growth
 effect-parameter-guide-friction = friction of the guide
 effect-parameter-half-width = half width

@@ -332,6 +332,7 @@ report-of-full-scale-error = full scale error
 report-of-gain-change = gain change in the first minute
 report-of-gain-error = gain error
 report-of-gear-ratio = gear ratio
+report-of-grip = how soon its seat holds it
 report-of-growth = growth
 report-of-guide-friction = guide friction
 report-of-half-width = half width

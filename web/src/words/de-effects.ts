@@ -82,6 +82,7 @@ export const deEffects: typeof enEffects = {
     gain_change: 'Änderung der Verstärkung in der ersten Minute',
     gain_error: 'Verstärkungsfehler',
     gear_ratio: 'Übersetzung',
+    grip: 'wie früh der Sitz hält',
     growth: 'Zunahme',
     guide_friction: 'Reibung der Führung',
     half_width: 'halbe Breite',
