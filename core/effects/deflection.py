@@ -40,7 +40,7 @@ class Spring(NamedTuple):
 
 LINEAR = Spring()
 NEWTON_STEPS = 30
-"""To where a spring that hardens rests; each halves what is missing at least."""
+"""From where a spring would rest that does not harden to where one does: its force is convex on the way, so no step goes too far."""
 
 
 def deflection(
@@ -85,7 +85,7 @@ def deflection(
 
 def _rest(pull: Array, root: Array, spring: Spring) -> Array:
     """(k,), z at which springs rest under a pull (k,), relaxed."""
-    z = pull / (1.0 + spring.loaded)
+    z = pull
     for _ in range(NEWTON_STEPS if spring.loaded else 0):
         hard = np.tanh(root * z / spring.wind_up)
         z = z - (z + spring.loaded * (z - spring.wind_up / root * hard) - pull) / (1.0 + spring.loaded * hard**2)
@@ -112,7 +112,7 @@ def _swing(
     end = start.copy()
     z, v, a, before, s = end[0], end[1], end[2], end[3], end[4]
     turned, bend, loaded, wind_up = spring
-    A, one_over, d, x, y = np.empty((k, k)), np.empty(k), np.empty(k), np.empty(k), np.empty(k)
+    A, one_over, d, x, y, hard = np.empty((k, k)), np.empty(k), np.empty(k), np.empty(k), np.empty(k), np.zeros(k)
     for t in range(N):
         if t > 0 or not at_rest:
             for i in range(k):
@@ -121,15 +121,15 @@ def _swing(
                 for j in range(i + 1):
                     A[i, j] = root[i] * root[j] * (share * inertia[t, soft[i], soft[j]])
                 d[i] = 2.0 * damping * np.sqrt(max(A[i, i], 0.0))
-                hard = np.tanh(root[i] * z[i] / wind_up)
-                tangent = turned * (1.0 - np.sign(v[i]) * s[i]) + loaded * hard * hard  # on the way that it goes
+                if loaded > 0.0:  # most springs do not harden, and this is slow
+                    hard[i] = np.tanh(root[i] * z[i] / wind_up)
+                tangent = turned * (1.0 - np.sign(v[i]) * s[i]) + loaded * hard[i] * hard[i]  # on the way that it goes
                 A[i, i] += GAMMA * h * d[i] + BETA * h * h * (1.0 + tangent)
             _factorise(A, one_over, 0.01 * h * h)
             for i in range(k):
                 way = h * v[i] + (0.5 - BETA) * h * h * a[i]
-                hard = np.tanh(root[i] * z[i] / wind_up)
                 held = turned * (bend / root[i] * s[i] + (1.0 - np.sign(v[i]) * s[i]) * way)
-                held += loaded * (z[i] - wind_up / root[i] * hard + hard * hard * way)
+                held += loaded * (z[i] - wind_up / root[i] * hard[i] + hard[i] * hard[i] * way)
                 y[i] = z[i]
                 z[i] += way
                 v[i] += (1.0 - GAMMA) * h * a[i]

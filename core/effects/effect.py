@@ -171,9 +171,9 @@ class Symptom(ABC):
     stage: ClassVar[Stage]
     side: ClassVar[Side]
     explains: ClassVar[tuple[str, ...]] = ()
-    """Symptoms that come along with this one, and are not named beside it; those that matter only where it does, too,"""
+    """Symptoms that come along with this one, and are not named beside it; one that matters is, where this one does not,"""
     explains_when_small: ClassVar[bool] = False
-    """or not even then."""
+    """unless this is set."""
     resembled_by: ClassVar[tuple[str, ...]] = ()
     """Effects whose trace in the recording looks like this symptom: beside them it is not named."""
 

@@ -103,16 +103,16 @@ def _swing(rows: Array, axis: Array, period: float, friction: float, wall: float
             ax, ay, az = accelerate(now, n[0], n[1], n[2], v[0], v[1], v[2], friction)
             v[0], v[1], v[2] = v[0] + h * ax, v[1] + h * ay, v[2] + h * az
             n[0], n[1], n[2] = n[0] + h * v[0], n[1] + h * v[1], n[2] + h * v[2]
-            one, along = 1.0 / np.sqrt(_dot(n, n)), 0.0
+            one = 1.0 / np.sqrt(_dot(n, n))
             n[0], n[1], n[2] = one * n[0], one * n[1], one * n[2]
             if _stop(n, outward, e, far, near):
-                along = _dot(v, outward)
-                along -= outward[0] * (now[4] * n[2] - now[5] * n[1])
-                along -= outward[1] * (now[5] * n[0] - now[3] * n[2])
-                along -= outward[2] * (now[3] * n[1] - now[4] * n[0])
-            for c in range(3):
-                off = max(0.0, along) * outward[c]
-                v[c], taken[c] = v[c] - off, taken[c] + off
+                rate = _dot(v, outward)
+                rate -= outward[0] * (now[4] * n[2] - now[5] * n[1])
+                rate -= outward[1] * (now[5] * n[0] - now[3] * n[2])
+                rate -= outward[2] * (now[3] * n[1] - now[4] * n[0])
+                for c in range(3):
+                    off = max(0.0, rate) * outward[c]
+                    v[c], taken[c] = v[c] - off, taken[c] + off
             along = _dot(v, n)
             v[0], v[1], v[2] = v[0] - along * n[0], v[1] - along * n[1], v[2] - along * n[2]
         places[k] = n

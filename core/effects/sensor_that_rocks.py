@@ -5,13 +5,12 @@ from __future__ import annotations
 from itertools import product
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from core.array import Array
 from core.effects.effect import Parameter
 from core.effects.scene import Scene
 from core.effects.sensor_rotation import SensorRotation
-from core.effects.vectors import turn_back
+from core.payload.rotations import rotate_by
 from core.words.message import Message
 
 START_SHARE, START_RAD = 0.3, 1e-3
@@ -26,7 +25,7 @@ class SensorThatRocks(SensorRotation):
 
     wider_shape = True
     followed = 2
-    only_adds = False
+    only_adds = False  # it turns the noise, too
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """The rotation vector (3), how far it rocks and about what (3), rad, sensor axes, and how soon it is at its end, 1/(N m)."""
@@ -42,9 +41,8 @@ class SensorThatRocks(SensorRotation):
         size = float(np.linalg.norm(theta[3:6]))
         if size == 0.0:
             return w
-        side = np.tanh(theta[6] * (w[:, 3:] @ theta[3:6]) / size)
-        R = Rotation.from_rotvec(side[:, None] * theta[3:6]).as_matrix()
-        return np.hstack((turn_back(R, w[:, :3]), turn_back(R, w[:, 3:])))
+        back = np.outer(-np.tanh(theta[6] * (w[:, 3:] @ theta[3:6]) / size), theta[3:6])
+        return np.hstack((rotate_by(back, w[:, :3]), rotate_by(back, w[:, 3:])))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """None: it shows where a sensor that is turned once leaves something."""

@@ -32,7 +32,7 @@ def rotation_of(vector: Array) -> Array:
 
 
 def rotate_by(vectors: Array, x: Array) -> Array:
-    """(N, 3), the vector x (3,) rotated by each rotation vector (N, 3), rad, as `rotation_of` does."""
+    """(N, 3), the vector x (3,), or each of them (N, 3), rotated by each rotation vector (N, 3), rad, as `rotation_of` does."""
     angle, across = np.linalg.norm(vectors, axis=1, keepdims=True), cross(vectors, x)
     return np.asarray(x + np.sinc(angle / np.pi) * across + 0.5 * np.sinc(0.5 * angle / np.pi) ** 2 * cross(vectors, across))
 
