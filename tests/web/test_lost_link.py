@@ -7,6 +7,7 @@ import re
 import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
+from datetime import datetime, timedelta
 
 import pytest
 from playwright.sync_api import Browser, WebSocketRoute, expect
@@ -20,6 +21,8 @@ from tests.web.tablet import Tablet, tablet
 
 UNREACHABLE = "ERR_INTERNET_DISCONNECTED"
 """What the browser says of every question that it could not put."""
+TICK_MS = 250
+"""How often the page asks itself whether it is still heard; it opens a lost socket again sooner."""
 NOTES_LAYERS = """addEventListener('DOMContentLoaded', () => {
     window.layers = 0;
     const look = () => { window.layers += document.querySelectorAll('.lost-layer').length };
@@ -167,12 +170,16 @@ def test_a_socket_that_breaks_once_covers_nothing(service: RealService, browser:
     with tablet(browser, service) as at:
         at.page.add_init_script(NOTES_LAYERS)
         at.page.route_web_socket("**/api/now/live", lambda route: (opened.append(route), route.connect_to_server()))
+        clock = at.page.clock
+        clock.install()
         at.open()
-        opened[0].close()
+        clock.pause_at(datetime.now() + timedelta(seconds=1))  # a busy computer must not make the page wait longer than it says here
         with at.page.expect_websocket(lambda socket: socket.url.endswith("/api/now/live")) as again:
-            pass
+            opened[-1].close()
+            clock.run_for(TICK_MS)
         for _ in range(4):
             again.value.wait_for_event("framereceived")
+            clock.run_for(TICK_MS)
         assert at.page.evaluate("window.layers") == 0
 
 
