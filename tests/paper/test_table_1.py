@@ -28,7 +28,8 @@ def test_with_the_noise_of_table_2_the_errors_are_below_the_papers(name: str) ->
     assert (error[4:] <= 1.0).all()
 
 
-@pytest.mark.parametrize("name", ["steel_block", pytest.param("cylinder", marks=pytest.mark.thorough)])
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", ["steel_block", "cylinder"])
 def test_tilt_delay_and_drift_that_nobody_told_of_cost_next_to_nothing(name: str) -> None:
     error = median_errors(name, imperfect=True)
     assert error[0] <= 0.1

@@ -92,6 +92,7 @@ def check_that_loading_it_again_changes_nothing(at: Tablet) -> None:
     assert at.page.inner_text("main") == before
 
 
+@pytest.mark.thorough
 def test_a_run_that_lost_its_console_is_gone_on_with_from_another_screen(watching: Tablet, person: Console):
     run = moving(person)
     person.answering.clear()

@@ -93,6 +93,7 @@ def test_whoever_has_control_stands_in_the_header_with_screen_and_time(anna: Tab
     expect(facts).to_contain_text(re.compile(r"\d\d:\d\d:\d\d"))
 
 
+@pytest.mark.thorough
 def test_a_request_that_is_declined_leaves_control_where_it_is_and_says_so_until_it_is_read(anna: Tablet, ben: Tablet):
     ben.press("Ask for control")
     anna.press("Keep control")

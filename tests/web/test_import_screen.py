@@ -88,6 +88,7 @@ def test_the_payload_is_identified_on_the_page_and_its_report_opened(at: Tablet,
     expect(page.get_by_role("button", name="Identify", exact=True)).to_be_enabled(timeout=PATIENCE_MS)
 
 
+@pytest.mark.thorough
 def test_two_logs_of_joint_torques_are_compared_with_and_without_the_payload(at: Tablet, tmp_path: Path) -> None:
     page, pair = at.page, make(3, mass_kg=2.8, gain_std=0.005)
     choose(page, *write_torque_log(tmp_path, "arm alone", pair.empty))

@@ -69,6 +69,7 @@ def check(at: Tablet, screen: str, names: frozenset[str] = frozenset()) -> None:
     check_nothing_is_cut_off(looks)
 
 
+@pytest.mark.thorough
 def test_pages_have_longer_words_and_room_for_them(at: Tablet, service: RealService, complete: str):
     check(at, "sign in")
     enter(at)

@@ -30,8 +30,9 @@ def world(narrow: float, left: float, count: int = 120) -> tuple[list[Trial], di
     return trials, {each.seed: np.array([0.0, 0.1, 0.9]) for each in trials}
 
 
-@pytest.mark.parametrize("left", [0.04, 0.0])
-@pytest.mark.parametrize("narrow", [1.3, 3.0])
+@pytest.mark.parametrize(
+    ("narrow", "left"), [(1.3, 0.0), (3.0, 0.04), *(pytest.param(*each, marks=pytest.mark.thorough) for each in ((1.3, 0.04), (3.0, 0.0)))]
+)
 def test_by_how_much_intervals_are_too_narrow_is_found_and_then_they_hold(narrow: float, left: float) -> None:
     trials, told = world(narrow, left)
     found = find_widened(trials, told)

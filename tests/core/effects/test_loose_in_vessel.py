@@ -80,7 +80,7 @@ def average(w: Array) -> Array:
     return np.asarray(np.apply_along_axis(np.convolve, 0, w[10:] / NOISE, np.full(10, 0.1), mode="valid"))
 
 
-@pytest.mark.parametrize("wall", [0.4, 0.8, FREE])
+@pytest.mark.parametrize("wall", [0.8, *(pytest.param(wall, marks=pytest.mark.thorough) for wall in (0.4, FREE))])
 def test_it_adds_what_a_mass_on_a_rod_does_that_a_wall_stops(wall: float) -> None:
     planted = average(swing(wall))
     whole = np.square(planted).sum()

@@ -66,7 +66,7 @@ def average(w: Array) -> Array:
     return np.asarray(np.apply_along_axis(np.convolve, 0, w / NOISE, np.full(5, 0.2), mode="same"))
 
 
-@pytest.mark.parametrize(("damping", "friction"), [(0.3, 0.0), (0.1, 0.15), (0.02, 0.3)])
+@pytest.mark.parametrize(("damping", "friction"), [pytest.param(0.3, 0.0, marks=pytest.mark.thorough), (0.1, 0.15), (0.02, 0.3)])
 def test_a_part_on_a_hinge_adds_what_a_pendulum_does_whose_pivot_moves(damping: float, friction: float) -> None:
     planted = swing(damping, friction)
     theta = np.array([*(MASS * LEVER * AXIS), FREQUENCY_HZ, damping, friction, BEGUN_RAD, *PLACE, *FREE])

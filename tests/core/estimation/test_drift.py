@@ -98,8 +98,18 @@ def test_the_offset_of_rows_at_rest_walks_from_each_to_the_next_whenever_that_is
     assert not drift.flicker.any() and not drift.jumps.any()
 
 
-@pytest.mark.parametrize("drifting", [{"drift_n": 0.3}, {"drift_n": 1.0}, {"walk_n": 0.04}])
-@pytest.mark.parametrize("slow", [{"rate_hz": 20.0}, {"poses": True}, {"averaged": True}])
+DRIFTING: list[dict[str, Any]] = [{"drift_n": 0.3}, {"drift_n": 1.0}, {"walk_n": 0.04}]
+SLOW: list[dict[str, Any]] = [{"rate_hz": 20.0}, {"poses": True}, {"averaged": True}]
+
+
+@pytest.mark.parametrize(
+    ("slow", "drifting"),
+    [
+        pytest.param(slow, drifting, marks=() if i == j else pytest.mark.thorough)
+        for i, slow in enumerate(SLOW)
+        for j, drifting in enumerate(DRIFTING)
+    ],
+)
 def test_intervals_from_rows_at_rest_hold_though_the_offset_drifts(slow: dict[str, Any], drifting: dict[str, Any]) -> None:
     off = []
     for seed in range(4):

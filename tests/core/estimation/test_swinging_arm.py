@@ -18,7 +18,7 @@ from tests.core.gap.recorded_run import plan_of
     ("stiffness_nm_per_rad", "payload"),
     [
         (24e3, "steel_block"),
-        (50e3, "cylinder"),
+        pytest.param(50e3, "cylinder", marks=pytest.mark.thorough),
         pytest.param(24e3, "cylinder", marks=pytest.mark.thorough),
         pytest.param(50e3, "steel_block", marks=pytest.mark.thorough),
     ],

@@ -72,6 +72,7 @@ def test_an_arm_that_speeds_up_at_the_end_of_a_hold_is_no_noise_of_the_sensor() 
     assert SensorNoise().observe(recording, View(holds, windows.basis.noise.std, nominal.phi, nominal.phi_std, none, none, none)) is None
 
 
+@pytest.mark.thorough
 def test_a_tilt_a_delay_and_a_drift_at_once_are_named_though_others_bend_further_alone() -> None:
     condition = Condition(tilt_rad=0.5 * DEGREE, delay_s=4e-3, drift_n=0.3)
     names = ("base_tilt", "time_delay", "sensor_drift", "joint_offset", "sensor_offset_step", "cable_drag")

@@ -179,6 +179,7 @@ def test_pushes_and_a_base_that_is_not_level_are_both_named_and_the_payload_is_t
     assert total + diagnosis.none_probability + diagnosis.unknown_probability == pytest.approx(1.0)
 
 
+@pytest.mark.thorough
 def test_a_push_through_which_the_zero_jumps_is_named_with_the_jump(run: Run) -> None:
     (begin, end), force = spans_of(run)[2], hand(run, 12, most_n=8.0)
     force[run.t < begin] = 0.0
@@ -203,7 +204,8 @@ def test_the_stretches_are_told_in_the_answer_and_to_the_person_at_the_robot(dia
     assert diagnosis.where.stage == "environment"
 
 
-@pytest.mark.parametrize("doubt", [pytest.param(0.2, marks=pytest.mark.thorough), 0.45])
+@pytest.mark.thorough
+@pytest.mark.parametrize("doubt", [0.2, 0.45])
 def test_what_contacts_and_an_effect_explain_is_no_surer_than_that_effect_is_of_the_rest(
     pushed_and_tilted: Recording, monkeypatch: pytest.MonkeyPatch, doubt: float
 ) -> None:
@@ -243,6 +245,7 @@ def test_what_may_explain_the_rest_is_told_with_each_of_its_names(pushed_and_til
     assert told.payload.after.std[0] > 1.2 * min(fit.phi_std[0] for fit, _ in touched.beside)
 
 
+@pytest.mark.thorough
 def test_pushes_beside_a_drift_in_a_shape_that_is_sought_last_are_named_with_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(DriftThatWanders, "starts", lambda *_: [])  # as where no hold is long enough
     sound = record(run, payload("steel_block"), np.random.default_rng(0), Imperfections())

@@ -104,6 +104,7 @@ def test_a_delay_that_changes_is_found_beside_a_jump_of_the_offset() -> None:
     assert isinstance(evidence.best.effects[0], DelayThatGrows | DelayThatWanders)
 
 
+@pytest.mark.thorough
 def test_what_wanders_unseen_by_holds_is_the_last_resort(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(DriftThatWanders, "starts", lambda *_: [])  # as where no hold is long enough
     recording = record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(0), Imperfections())
@@ -144,6 +145,7 @@ def test_what_a_plain_shape_follows_in_part_is_named_in_its_richer_one(seed: int
     assert evidence.verdict == "explained"
 
 
+@pytest.mark.thorough
 def test_cross_talk_of_products_takes_up_nothing_that_another_effect_leaves() -> None:
     evidence = gather(
         Windows(basis_of(plant_trial(FILLS).recording)), few("cable_drag", "sensor_crosstalk", "external_contact"), one_by_one

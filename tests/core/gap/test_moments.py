@@ -39,6 +39,7 @@ def test_what_explains_all_but_a_moment_is_named_with_where_it_does_not(run: Run
     assert left.parameters["at_s"] == pytest.approx(run.t[0] + BEGINS * np.ptp(run.t) + 0.5, abs=1.0)
 
 
+@pytest.mark.thorough
 def test_a_gap_that_is_made_of_moments_stays_unknown(run: Run) -> None:
     told = diagnose(shaken(run, gain=0.0, torque_nm=0.5), EFFECTS)
     assert told.verdict == "unknown"

@@ -117,6 +117,7 @@ def test_a_sensor_that_hides_the_swinging_is_named() -> None:
     assert (verdict, evidence.best.name) == ("explained", "sensor_hysteresis")
 
 
+@pytest.mark.thorough
 def test_joints_that_are_softer_are_named() -> None:
     verdict, evidence = examined(SOFT)
     assert (verdict, evidence.best.name) == ("explained", "joint_elasticity")
@@ -131,6 +132,7 @@ def test_a_stiff_arm_has_none() -> None:
     assert held(evidence) == []
 
 
+@pytest.mark.thorough
 def test_gears_that_were_found_beside_less_give_way_to_those_that_show_beside_several() -> None:
     poor = Term(JointElasticity(), np.array([SOFTEST_RAD_PER_NM, *[0.0] * 5, 1.0, 0.1]))
     windows = hold_gears(Windows(basis_of(moved(SOUND, LOST))), poor)
@@ -187,6 +189,7 @@ def test_gears_that_the_twin_states_stay_as_they_are() -> None:
     assert evidence.windows.held == (stated,)
 
 
+@pytest.mark.thorough
 def test_what_the_swinging_hid_is_looked_at_anew() -> None:
     begun_anew: set[str] = set()
 

@@ -26,7 +26,7 @@ def run() -> Run:
     return run_of(repetitions=1, period=0.008)
 
 
-@pytest.mark.parametrize(("hz", "size"), [(5.0, 0.3), (11.0, 0.4)])
+@pytest.mark.parametrize(("hz", "size"), [(5.0, 0.3), pytest.param(11.0, 0.4, marks=pytest.mark.thorough)])
 def test_a_floor_that_shakes_is_named_with_its_frequency_beside_models_of_what_swings(run: Run, hz: float, size: float) -> None:
     body = payload("steel_block")
     recording = record(run, body, np.random.default_rng(2))
@@ -41,6 +41,7 @@ def test_a_floor_that_shakes_is_named_with_its_frequency_beside_models_of_what_s
     assert beside["structure_vibration"].parameters["frequency_hz"].value == pytest.approx(hz, abs=0.1)
 
 
+@pytest.mark.thorough
 def test_a_floor_that_shakes_is_named_although_a_part_that_swings_takes_up_most_of_it_and_is_not_believed() -> None:
     candidates = [effect for effect in library() if effect.id in SWINGS]
     diagnosis, evidence = examine(make("floor_shakes", 8181), candidates, fit_all=one_by_one)

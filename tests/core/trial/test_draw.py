@@ -18,6 +18,7 @@ def test_the_same_seed_plants_the_same_and_its_seal_holds():
     assert drawn.sealed.model_copy(update={"size": drawn.sealed.size + 1e-6}).hash != drawn.sealed.hash
 
 
+@pytest.mark.thorough
 def test_trials_are_of_every_kind_in_both_cells():
     drawn = [draw(seed).sealed for seed in range(60)]
     assert {sealed.kind for sealed in drawn} == {"none", "single", "double", "unknown"}

@@ -155,6 +155,7 @@ def test_what_is_left_is_gone_and_so_is_what_nobody_goes_on_with(
     assert {each["name"] for each in later.get("/api/cells").json()} == {"lwr4_bench", "ur5e_line"}
 
 
+@pytest.mark.thorough
 def test_packages_with_xacro_and_meshes_are_found_in_a_zip_however_it_was_packed(engineer: TestClient) -> None:
     shape = '<collision><geometry><mesh filename="package://arm_description/meshes/base.STL"/></geometry></collision>'
     described = arm().replace(link("base"), link("base", shapes=shape)).replace('<robot name="small">', "")

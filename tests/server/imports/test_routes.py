@@ -354,6 +354,7 @@ def test_the_payload_of_a_log_is_identified_as_the_command_line_does_and_the_imp
     assert operator.post(f"{path}/diagnosis", json={}).status_code == 202
 
 
+@pytest.mark.thorough
 def test_the_payload_of_a_log_is_held_against_what_its_cell_needs(operator: TestClient, tmp_path: Path) -> None:
     path = send(operator, Path(exported(tmp_path)[0]))
     assert operator.put(f"{path}/reading", json={"cell": "lwr4_bench"}).status_code == 200

@@ -233,6 +233,7 @@ def test_a_robot_whose_console_falls_silent_keeps_its_place_and_goes_on_along_th
     assert figures(console, LATE) == [late + 1.0]
 
 
+@pytest.mark.thorough
 def test_an_ended_run_is_gone_on_with_from_its_last_finished_pose(service, console):
     run = console.queue(seed=2)
     console.wait(run, "Idle")
