@@ -70,21 +70,18 @@ def deflection(
     past = past or Past()
     soft = np.flatnonzero(compliance > 0.0)
     root = np.sqrt(compliance[soft])
-    pull = -load[:, soft] * root
+    pull = -load[0, soft] * root
     start = (
-        np.stack([_rest(pull[0], root, spring), np.full_like(root, np.nan), np.zeros_like(root), pull[0], np.zeros_like(root)])
+        np.stack([_rest(pull, root, spring), np.full_like(root, np.nan), np.zeros_like(root), pull, np.zeros_like(root)])
         if past.rows is None
         else past.rows
     )
-    z, acceleration, end = _swing(inertia, share, soft, root, pull, start, damping, period, past.rows is None, spring)
-    past.rows = end
-    error, second = np.zeros_like(load), np.zeros_like(load)
-    error[:, soft], second[:, soft] = root * z, root * acceleration
+    error, second, past.rows = _swing(inertia, share, soft, root, load, start, damping, period, past.rows is None, spring)
     return error, second
 
 
 def _rest(pull: Array, root: Array, spring: Spring) -> Array:
-    """(k,), z at which springs rest under a pull (k,), relaxed."""
+    """(k,), z at which springs rest under a pull (k,) on it, relaxed."""
     z = pull
     for _ in range(NEWTON_STEPS if spring.loaded else 0):
         hard = np.tanh(root * z / spring.wind_up)
@@ -98,26 +95,29 @@ def _swing(
     share: float,
     soft: NDArray[np.intp],
     root: Array,
-    pull: Array,
+    load: Array,
     start: Array,
     damping: float,
     h: float,
     at_rest: bool,
     spring: Spring,
 ) -> tuple[Array, Array, Array]:
-    """z, z'' (N, k) and the end (5, k): z, z', z'', the pull on it and Dahl's s; `start` likewise, its z' NaN until the second row of the
+    """e, e'' (N, n) and the end (5, k): z, z', z'', the pull on it and Dahl's s; `start` likewise, its z' NaN until the second row of the
     run."""
-    N, k = pull.shape
-    out, second = np.empty((N, k)), np.empty((N, k))
+    N, k = len(load), len(soft)
+    error, second = np.zeros(load.shape), np.zeros(load.shape)
     end = start.copy()
     z, v, a, before, s = end[0], end[1], end[2], end[3], end[4]
     turned, bend, loaded, wind_up = spring
     A, one_over, d, x, y, hard = np.empty((k, k)), np.empty(k), np.empty(k), np.empty(k), np.empty(k), np.zeros(k)
+    pull = np.empty(k)
     for t in range(N):
+        for i in range(k):
+            pull[i] = -load[t, soft[i]] * root[i]
         if t > 0 or not at_rest:
             for i in range(k):
                 if np.isnan(v[i]):
-                    v[i] = (pull[t, i] - before[i]) / h
+                    v[i] = (pull[i] - before[i]) / h
                 for j in range(i + 1):
                     A[i, j] = root[i] * root[j] * (share * inertia[t, soft[i], soft[j]])
                 d[i] = 2.0 * damping * np.sqrt(max(A[i, i], 0.0))
@@ -133,17 +133,18 @@ def _swing(
                 y[i] = z[i]
                 z[i] += way
                 v[i] += (1.0 - GAMMA) * h * a[i]
-                x[i] = pull[t, i] - d[i] * v[i] - z[i] - held
+                x[i] = pull[i] - d[i] * v[i] - z[i] - held
             _solve(A, one_over, x)
             for i in range(k):
                 a[i] = x[i]
                 v[i] += GAMMA * h * a[i]
                 z[i] += BETA * h * h * a[i]
-                went = root[i] * (z[i] - y[i])
-                s[i] = np.sign(went) + (s[i] - np.sign(went)) * np.exp(-abs(went) / bend)
+                if turned > 0.0:  # nor do they lose
+                    went = root[i] * (z[i] - y[i])
+                    s[i] = np.sign(went) + (s[i] - np.sign(went)) * np.exp(-abs(went) / bend)
         for i in range(k):
-            out[t, i], second[t, i], before[i] = z[i], a[i], pull[t, i]
-    return out, second, end
+            error[t, soft[i]], second[t, soft[i]], before[i] = root[i] * z[i], root[i] * a[i], pull[i]
+    return error, second, end
 
 
 @njit(cache=True)
