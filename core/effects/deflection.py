@@ -139,7 +139,7 @@ def _swing(
                 a[i] = x[i]
                 v[i] += GAMMA * h * a[i]
                 z[i] += BETA * h * h * a[i]
-                if turned > 0.0:  # nor do they lose
+                if turned > 0.0:  # most springs lose nothing, and this is slow
                     went = root[i] * (z[i] - y[i])
                     s[i] = np.sign(went) + (s[i] - np.sign(went)) * np.exp(-abs(went) / bend)
         for i in range(k):
