@@ -10,11 +10,12 @@ from core.words.message import Message
 
 UNIT = re.compile(r"(_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share))?_per_\w+$|_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share)$")
 NAME = re.compile(
-    r"(?:([ft][xyz]|joint_\d+|mode_\d+|jump_\d+|knot_\d+|m|mc_[xyz]|i[xyz]{2})(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$"
+    r"(?:([ft][xyz]|joint_\d+|bridge_\d+|mode_\d+|jump_\d+|knot_\d+|m|mc_[xyz]|i[xyz]{2})(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$"
 )
 """Of what it is, what it is, and along which axis or from which channel."""
 
 NUMBERED = {
+    "bridge": Message.of("effect-parameter-bridge"),
     "joint": Message.of("effect-parameter-joint"),
     "jump": Message.of("effect-parameter-jump"),
     "knot": Message.of("effect-parameter-knot"),
@@ -26,8 +27,6 @@ PIECES = {
     "amplitude": Message.of("effect-parameter-amplitude"),
     "asymmetry": Message.of("effect-parameter-asymmetry"),
     "at": Message.of("effect-parameter-at"),
-    "bridge": Message.of("effect-parameter-bridge"),
-    "bridge_limit": Message.of("effect-parameter-bridge-limit"),
     "contact_torque": Message.of("effect-parameter-contact-torque"),
     "corner": Message.of("effect-parameter-corner"),
     "correlation": Message.of("effect-parameter-correlation"),

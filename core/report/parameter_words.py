@@ -13,7 +13,9 @@ from core.words.wording import ENGLISH, Wording
 SHOWN = 6
 """Of one effect; a cross-talk has thirty."""
 UNIT_SUFFIX = re.compile(r"(_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share))?_per_\w+$|_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share)$")
-PIECES = re.compile(r"^(?:([ft][xyz]|m|mc_[xyz]|i[xyz]{2}|joint_\d+|jump_\d+|mode_\d+)(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$")
+PIECES = re.compile(
+    r"^(?:([ft][xyz]|m|mc_[xyz]|i[xyz]{2}|joint_\d+|bridge_\d+|jump_\d+|mode_\d+)(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$"
+)
 """A name without its unit: what it belongs to, what it is of, along which axis or from which channel."""
 SCALES = {"rad": (math.degrees(1.0), "°"), "m": (1e3, "mm"), "rad/(N m)": (1e3, "mrad/(N m)")}
 SMALL = {"s": "ms", "kg": "g", "kg m": "g m", "kg m2": "g m²"}
@@ -25,7 +27,6 @@ CODES = {
     "asymmetry": "report-of-asymmetry",
     "at": "report-of-at",
     "bridge": "report-of-bridge",
-    "bridge_limit": "report-of-bridge-limit",
     "contact_torque": "report-of-contact-torque",
     "corner": "report-of-corner",
     "correlation": "report-of-correlation",

@@ -31,7 +31,8 @@ export interface Candidate {
 const DEGREES = 180 / Math.PI;
 const SUFFIX =
   /(_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share))?_per_\w+$|_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share)$/;
-const NAME = /^(?:([ft][xyz]|joint_\d+|jump_\d+|mode_\d+)(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$/;
+const NAME =
+  /^(?:([ft][xyz]|joint_\d+|bridge_\d+|jump_\d+|mode_\d+)(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$/;
 const DIGITS = 3;
 /** From this probability on an effect is one of those that are open. */
 const OPEN = 0.05;

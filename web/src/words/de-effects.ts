@@ -3,8 +3,7 @@ import type { enEffects } from './en-effects';
 export const deEffects: typeof enEffects = {
   effects: {
     base_tilt: 'Schiefe Basis',
-    bridge: 'Anteil an der Brücke',
-    bridge_limit: 'Ende der Brücke',
+    bridge: 'Brücke',
     cable_drag: 'Zug von Schlauch oder Kabel',
     external_contact: 'Berührung während eines Teils des Laufs',
     gear_ripple: 'Welligkeit der Getriebe',
