@@ -105,6 +105,7 @@ PIECES = {
     "slip": Message.of("effect-parameter-slip"),
     "slope_change": Message.of("effect-parameter-slope-change"),
     "slope_error": Message.of("effect-parameter-slope-error"),
+    "split": Message.of("effect-parameter-split"),
     "smoothing": Message.of("effect-parameter-smoothing"),
     "start": Message.of("effect-parameter-start"),
     "start_rate": Message.of("effect-parameter-start-rate"),

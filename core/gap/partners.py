@@ -52,8 +52,9 @@ class Look(NamedTuple):
         columns, normal = np.column_stack((X, J)), known.normal(X, J)
         scene = windows.basis.scene.with_phi(first.phi)
         residual = windows.on_grid(first.residual)
+        held = Problem(windows, ()).linearise(np.zeros(0), first.phi)[0]  # by what the twin has, which the first's residual is without
         found = (
-            _join(known, first, columns, normal, Problem(windows, (effect,)), theta)
+            _join(known, first, columns, normal, Problem(windows, (effect,)), theta, held)
             for effect in self.effects
             for theta in effect.starts(scene, residual)
         )
@@ -106,9 +107,13 @@ def take_fewer(windows: Windows, fit: EffectFit) -> list[Task]:
     return [*alone, *leave_out_each(windows, fit)] if len(alone) > 2 else alone
 
 
-def _join(known: Problem, first: EffectFit, columns: Array, normal: Array, joining: Problem, theta: Array) -> Partner:
+def _join(known: Problem, first: EffectFit, columns: Array, normal: Array, joining: Problem, theta: Array, held: Array) -> Partner:
     """Fall of chi-square when an effect joins, linearised at theta, less what its parameters may bend. All stays within its bounds: freed
-    of them, small imperfections could stand for most effects."""
+    of them, small imperfections could stand for most effects.
+
+    Args:
+        held: (6K,), rows of the change without it.
+    """
     theta = np.clip(theta, joining.lower, joining.upper)
     rows, J = joining.linearise(theta, first.phi)
     of_effect = joining.precision[-len(theta) :]
@@ -117,7 +122,7 @@ def _join(known: Problem, first: EffectFit, columns: Array, normal: Array, joini
     mean = np.concatenate((np.zeros(len(first.beta)), known.absent, joining.absent))
     bounds = np.column_stack((known.bounds, (joining.lower, joining.upper))) - here
     before = first.residual.ravel()
-    r = before - rows
+    r = before - (rows - held)
     across = columns.T @ J
     whole = np.block([[normal, across], [across.T, J.T @ J + np.diag(of_effect)]])
     step = find_bounded_minimum(whole, np.concatenate((columns.T @ r, J.T @ r)) + precision * (mean - here), bounds)

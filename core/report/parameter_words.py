@@ -109,6 +109,7 @@ CODES = {
     "slip": "report-of-slip",
     "slope_change": "report-of-slope-change",
     "slope_error": "report-of-slope-error",
+    "split": "report-of-split",
     "smoothing": "report-of-smoothing",
     "start": "report-of-start",
     "start_rate": "report-of-start-rate",

@@ -60,6 +60,7 @@ advice-sensor-saturation-above = Wählen Sie einen größeren Messbereich des Se
 advice-sensor-saturation-below = Wählen Sie einen größeren Messbereich des Sensors oder eine leichtere Last: { $channel } wird unter { $clipped_at } begrenzt (ohne Nullpunkt), der Lauf braucht { $needed }.
 advice-sensor-saturation-bridge = Wählen Sie einen größeren Messbereich des Sensors oder eine leichtere Last: seine Brücken sind in { PERCENT($share) } % des Laufs an ihrem Ende, am meisten fehlt dadurch in { $channel }.
 advice-sensor-translation = Verschieben Sie das Sensorkoordinatensystem in der URDF um { MILLI($x_m, digits: 1) } mm, { MILLI($y_m, digits: 1) } mm und { MILLI($z_m, digits: 1) } mm längs seiner Achsen x, y und z.
+advice-sensor-translation-split = Lassen Sie den Sensor kalibrieren: zwei seiner Momente gelten um Ursprünge, die { MILLI($apart_m, digits: 1) } mm auseinander auf { $axis } liegen.
 advice-structure-vibration = Suchen Sie, was mit { FIXED($frequency_hz, digits: 1) } Hz schwingt (eine Maschine neben dem Roboter, ein Tisch, der nicht fest steht, ein Stoß), oder halten Sie länger und messen Sie, wenn es ruhig ist.
 advice-time-delay = Stempeln Sie Kräfte und Gelenke mit einer Uhr, oder stellen Sie in der Aufzeichnung eine Verzögerung von { MILLI($delay_s, digits: 1) } ms ein.
 advice-time-delay-grows = Stempeln Sie Kräfte und Gelenke mit einer Uhr, oder stellen Sie die Uhren nacheinander: Die Kräfte kommen mit jeder Minute { MILLI($per_minute_s, digits: 1) } ms später.

@@ -155,6 +155,7 @@ effect-parameter-slack = Lose
 effect-parameter-slip = Rücksprung
 effect-parameter-slope-change = Steigungsänderung
 effect-parameter-slope-error = Steigungsfehler
+effect-parameter-split = halber Abstand zweier Ursprünge
 effect-parameter-smoothing = Glättung
 effect-parameter-start = Anfang
 effect-parameter-start-rate = Anfangsrate

@@ -379,6 +379,7 @@ report-of-slack = Lose
 report-of-slip = Rücksprung
 report-of-slope-change = Steigungsänderung
 report-of-slope-error = Steigungsfehler
+report-of-split = halber Abstand zweier Ursprünge
 report-of-smoothing = Glättung
 report-of-start = Anfang
 report-of-start-rate = Anfangsrate

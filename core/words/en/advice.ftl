@@ -60,6 +60,7 @@ advice-sensor-saturation-above = Choose a larger range of the sensor or a lighte
 advice-sensor-saturation-below = Choose a larger range of the sensor or a lighter payload: { $channel } is clipped below { $clipped_at } (without the offset), the run needs { $needed }.
 advice-sensor-saturation-bridge = Choose a larger range of the sensor or a lighter payload: its bridges are at their ends in { PERCENT($share) } % of the run, and { $channel } loses most by it.
 advice-sensor-translation = Move the sensor frame in the URDF by { MILLI($x_m, digits: 1) }, { MILLI($y_m, digits: 1) } and { MILLI($z_m, digits: 1) } mm along its x, y and z axes.
+advice-sensor-translation-split = Have the sensor calibrated: two of its torques are taken about origins that lie { MILLI($apart_m, digits: 1) } mm apart along { $axis }.
 advice-structure-vibration = Find what shakes at { FIXED($frequency_hz, digits: 1) } Hz (a machine beside the robot, a table that is not firm, a blow), or hold longer and measure when it is quiet.
 advice-time-delay = Stamp wrench and joints with one clock, or set a delay of { MILLI($delay_s, digits: 1) } ms in the recorder.
 advice-time-delay-grows = Stamp wrench and joints with one clock, or set the clocks by each other: the wrench comes { MILLI($per_minute_s, digits: 1) } ms later with every minute.

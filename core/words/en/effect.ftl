@@ -155,6 +155,7 @@ effect-parameter-slack = slack
 effect-parameter-slip = slip
 effect-parameter-slope-change = slope change
 effect-parameter-slope-error = slope error
+effect-parameter-split = half the distance of two origins
 effect-parameter-smoothing = smoothing
 effect-parameter-start = start
 effect-parameter-start-rate = rate at the start

@@ -381,6 +381,7 @@ report-of-slack = slack
 report-of-slip = slip
 report-of-slope-change = slope change
 report-of-slope-error = slope error
+report-of-split = half the distance of two origins
 report-of-smoothing = smoothing
 report-of-start = start
 report-of-start-rate = start rate

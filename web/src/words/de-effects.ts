@@ -131,6 +131,7 @@ export const deEffects: typeof enEffects = {
     slip: 'Rücksprung',
     slope_change: 'Steigungsänderung',
     slope_error: 'Steigungsfehler',
+    split: 'halber Abstand zweier Ursprünge',
     smoothing: 'Glättung',
     start: 'Anfang',
     start_rate: 'Anfangsrate',
