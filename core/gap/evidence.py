@@ -15,11 +15,11 @@ from core.gap.closure import gap_of
 from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import FitAll, Task, on_all_cores
 from core.gap.limits import GAP
-from core.gap.materiality import find_margins
+from core.gap.materiality import HIDDEN, find_margins
 from core.gap.partners import leave_out_each, partners, take_fewer
 from core.gap.proposal import Proposal
 from core.gap.singles import Singles, fit_shapes, fit_singly, hold_again, start_beside
-from core.gap.sound_gears import ONE_IS_ENOUGH, find_gears_among
+from core.gap.sound_gears import ONE_IS_ENOUGH, find_better_gears, find_gears_among
 from core.gap.tie import Tie, distance_sigma
 from core.gap.weighing import find_left_share, find_mattering, is_in_doubt, read_figures
 from core.gap.windows import Windows
@@ -132,8 +132,9 @@ def join(found: Singles, fit_all: FitAll = on_all_cores) -> Evidence:
     grown = _join(windows, nominal, singles, joinable, fit_all)
     if min((find_left_share(nominal, fit) for fit in (*singles, *grown)), default=0.0) > MUCH:
         singles, grown = _resort_to(windows, nominal, list(found.last), singles, grown, fit_all)
-    needed = [] if found.stated else _find_needed(nominal, singles, grown)[:1]
-    among = next((find_gears_among(windows, fit, fit_all) for fit in needed), None)
+    needed = [] if found.stated else _find_needed(nominal, singles, grown)
+    among = next((find_gears_among(windows, fit, fit_all) for fit in needed[:1]), None)
+    among = among or find_better_gears(windows, nominal, _take_most_probable(nominal, needed), fit_all)
     if among is not None:
         found = hold_again(found, among, fit_all)
         windows, nominal, singles = found.windows, found.nominal, list(found.fits)
@@ -149,7 +150,9 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
     """Two effects at once, where one leaves something to explain, and where two do, three; each set once, in the shapes that are most
     probable, those of most effects first, and of as many the best."""
     best = sorted(singles, key=lambda fit: fit.chi_square)
-    if not best or not _leaves_more(windows, nominal, best[0]) or probabilities(nominal, singles)[0] > EXPLAINED:
+    if not best or gap_of(windows, nominal) < HIDDEN or probabilities(nominal, singles)[0] > EXPLAINED:
+        return []  # whatever it was, it would not matter
+    if not _leaves_more(windows, nominal, best[0]):
         return []
     joinable = _take_joinable(best)
     firsts = joinable[:FIRSTS]
@@ -215,6 +218,11 @@ def _find_needed(nominal: EffectFit, singles: list[EffectFit], joined: list[Effe
     least = min((find_left_share(nominal, fit) for fit in _take_joinable(singles)), default=1.0)
     few = (fit for fit in joined if EQUATIONS * fit.free < fit.rows)
     return [fit for fit in few if find_left_share(nominal, fit) < FURTHER_EXPLAINS**fit.further * least]
+
+
+def _take_most_probable(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:
+    *_, shares = probabilities(nominal, fits)
+    return [fits[k] for k in np.argsort(shares)[::-1][:RIVALS]]
 
 
 def _fit_with_partners(

@@ -63,6 +63,20 @@ def find_gears_among(windows: Windows, together: EffectFit, fit_all: FitAll) -> 
     return _term_of(windows, fit)
 
 
+def find_better_gears(windows: Windows, nominal: EffectFit, sets: list[EffectFit], fit_all: FitAll) -> Term | None:
+    """Gears that are held and were found beside one effect, as they show beside several at once; None where that explains little of what
+    these leave."""
+    held = [term for term in windows.held if term.effect.id == SoundGears.id]
+    others = [fit for fit in sets if SoundGears.id not in fit.name.split("+")]
+    if not held or not others:
+        return None
+    gears = SoundGears()
+    starts = [held[0].theta, *gears.starts(windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual))]
+    found = fit_all(windows, [add_effect(windows, fit, gears, starts) for fit in others])
+    base, fit = min(zip(others, found, strict=True), key=lambda pair: pair[1].chi_square)
+    return None if find_left_share(nominal, fit) > EXPLAIN * find_left_share(nominal, base) else _term_of(windows, fit)
+
+
 def _term_of(windows: Windows, fit: EffectFit) -> Term | None:
     """None where no joint gives: beside rigid gears the fit has only come further than without."""
     theta = next(theta for effect, theta in terms_of(windows, fit) if isinstance(effect, SoundGears))

@@ -23,7 +23,7 @@ from core.gap.diagnosis import examine
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.evidence import Evidence, gather
 from core.gap.fit_all import Found, Job, Task, one_by_one
-from core.gap.partners import add_effect, partners
+from core.gap.partners import Look, add_effect
 from core.gap.problem import Problem
 from core.gap.sound_gears import find_gears_among, find_sound_gears, hold_gears
 from core.gap.windows import Windows
@@ -171,15 +171,18 @@ def test_gears_show_beside_the_cause_though_something_else_bends_more() -> None:
     assert np.median(found.theta[:6]) == pytest.approx(1.0 / 24e3, rel=0.3)
 
 
-def test_beside_gears_that_are_always_on_a_further_effect_is_found_as_it_is_without_them() -> None:
+def test_what_a_further_effect_explains_is_foreseen_beside_gears_that_are_always_on() -> None:
     gears = Term(JointElasticity(), np.array([*[1.0 / 24e3] * 6, 1.0, 0.05]))
     windows = hold_gears(Windows(basis_of(moved(SOUND, replace(LOST, change_kg=-0.03), Delay(0.004)))), gears)
     nominal = fit_nominal(windows)
     scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
     lost = fit_effects(windows, (PayloadMassChange(),), nominal, PayloadMassChange().starts(scene, residual))
-    (late,) = partners(windows, [lost], [TimeDelay()], 1, one_by_one)
-    assert late.name == "payload_mass_change+time_delay"
-    assert late.thetas[0][-1] == pytest.approx(0.004, rel=0.2)
+    late = max(Look(lost, (TimeDelay(),)).run(windows), key=lambda partner: partner.gain)
+    both = fit_effects(windows, *add_effect(windows, lost, late.effect, [late.theta]))
+    fell = float(np.square(lost.residual).sum() - np.square(both.residual).sum())
+    assert fell > 1e3
+    assert late.gain == pytest.approx(fell, rel=0.05)
+    assert late.theta[0] == pytest.approx(0.004, rel=0.2)
 
 
 def test_springs_that_lose_are_sought_as_a_change_of_gears_that_are_always_on() -> None:
