@@ -128,6 +128,8 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
 def join(found: Singles, fit_all: FitAll = on_all_cores) -> Evidence:
     """Two or three effects at once where one leaves something to explain, and what all of it comes to."""
     windows, nominal, singles = found.windows, found.nominal, list(found.fits)
+    if gap_of(windows, nominal) < HIDDEN:  # whatever several came to, it would not matter
+        return Evidence(windows, nominal, tuple(singles), (), attribute(windows, nominal, singles), found.limits)
     joinable = [effect for effect in (*found.shown, *found.wider) if not effect.stands_alone]
     grown = _join(windows, nominal, singles, joinable, fit_all)
     if min((find_left_share(nominal, fit) for fit in (*singles, *grown)), default=0.0) > MUCH:
@@ -150,9 +152,7 @@ def _join(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effect
     """Two effects at once, where one leaves something to explain, and where two do, three; each set once, in the shapes that are most
     probable, those of most effects first, and of as many the best."""
     best = sorted(singles, key=lambda fit: fit.chi_square)
-    if not best or gap_of(windows, nominal) < HIDDEN or probabilities(nominal, singles)[0] > EXPLAINED:
-        return []  # whatever it was, it would not matter
-    if not _leaves_more(windows, nominal, best[0]):
+    if not best or not _leaves_more(windows, nominal, best[0]) or probabilities(nominal, singles)[0] > EXPLAINED:
         return []
     joinable = _take_joinable(best)
     firsts = joinable[:FIRSTS]

@@ -67,7 +67,7 @@ def find_better_gears(windows: Windows, nominal: EffectFit, sets: list[EffectFit
     """Gears that are held and were found beside one effect, as they show beside several at once; None where that explains little of what
     these leave."""
     held = [term for term in windows.held if term.effect.id == SoundGears.id]
-    others = [fit for fit in sets if SoundGears.id not in fit.name.split("+")]
+    others = [fit for fit in sets if SoundGears.id not in fit.name.split("+") and find_left_share(nominal, fit) >= ONE_IS_ENOUGH]
     if not held or not others:
         return None
     gears = SoundGears()

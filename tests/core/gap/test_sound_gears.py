@@ -25,7 +25,7 @@ from core.gap.evidence import Evidence, gather
 from core.gap.fit_all import Found, Job, Task, one_by_one
 from core.gap.partners import Look, add_effect
 from core.gap.problem import Problem
-from core.gap.sound_gears import find_gears_among, find_sound_gears, hold_gears
+from core.gap.sound_gears import find_better_gears, find_gears_among, find_sound_gears, hold_gears
 from core.gap.windows import Windows
 from core.plant.faults import Fault
 from core.plant.faults.joint_springs import ElasticJoints
@@ -183,6 +183,41 @@ def test_what_a_further_effect_explains_is_foreseen_beside_gears_that_are_always
     assert fell > 1e3
     assert late.gain == pytest.approx(fell, rel=0.05)
     assert late.theta[0] == pytest.approx(0.004, rel=0.2)
+
+
+def test_gears_that_were_found_beside_one_effect_give_way_to_those_that_show_beside_two() -> None:
+    windows = Windows(basis_of(moved(SOUND, replace(LOST, change_kg=-0.03), Delay(0.004))))
+    poor, good = (Term(JointElasticity(), np.array([*[1.0 / each] * 6, 1.0, 0.05])) for each in (60e3, 24e3))
+
+    def find(gears: Term) -> Term | None:
+        held = hold_gears(windows, gears)
+        nominal = fit_nominal(held)
+        start = [np.array([20.0, -0.03, 0.0, 0.0, 0.05, 0.0, 0.004])]
+        both = fit_effects(held, (PayloadMassChange(), TimeDelay()), nominal, start)
+        return find_better_gears(held, nominal, [both], one_by_one)
+
+    found = find(poor)
+    assert found is not None
+    assert np.median(found.theta[:6]) == pytest.approx(1.0 / 24e3, rel=0.3)
+    assert find(found) is None
+    assert find_better_gears(windows, fit_nominal(windows), [], one_by_one) is None, "there are none"
+    assert find(good) is None
+
+
+def test_no_two_effects_are_sought_where_the_gap_hides_behind_the_noise() -> None:
+    gears = Term(JointElasticity(), np.array([*[1.0 / 24e3] * 6, 1.0, 0.05]))
+    windows = hold_gears(Windows(basis_of(moved(SOUND, replace(LOST, change_kg=-0.004)))), gears)
+    others = [effect for effect in FEW if effect.id not in (PayloadMassChange.id, JointElasticity.id)]
+    sought: set[str] = set()
+
+    def fit_all(windows: Windows, jobs: Sequence[Job[Found]], /) -> list[Found]:
+        sought.update(type(job).__name__ for job in jobs)
+        return one_by_one(windows, jobs)
+
+    assert gap_of(windows, fit_nominal(windows)) < 1.01
+    evidence = gather(windows, others, fit_all)
+    assert evidence.attribution.none < 0.5, "something shows"
+    assert "Look" not in sought
 
 
 def test_springs_that_lose_are_sought_as_a_change_of_gears_that_are_always_on() -> None:
