@@ -13,8 +13,10 @@ from core.effects.library import wider_shapes
 from core.effects.scene import Scene
 from core.estimation.gears import SoundGears
 from core.gap.attribution import choose_variants
+from core.gap.closure import gap_of
 from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.fit_all import FitAll, Task, on_all_cores
+from core.gap.materiality import HIDDEN
 from core.gap.most_rows import DRAWN, PARTS, fit_most
 from core.gap.partners import terms_of
 from core.gap.problem import find_smaller
@@ -74,12 +76,12 @@ def fit_singly(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on
 def _fit_singles(
     windows: Windows, nominal: EffectFit, effects: Sequence[Effect], wider: Sequence[Effect], fit_all: FitAll
 ) -> list[EffectFit]:
-    """Each effect by itself, in the shape that is most probable."""
+    """Each effect by itself, in the shape that is most probable; the richer ones where there is something to name."""
     scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
     known = {term.effect.id: [term.theta] for term in windows.held}
     plain = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in effects]
     singles = choose_variants(nominal, fit_shapes(windows, [task for task in plain if task.thetas], fit_all))
-    if _one_is_clear(nominal, singles):
+    if gap_of(windows, nominal) < HIDDEN or _one_is_clear(nominal, singles):
         return singles
     richer = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider]
     singles = choose_variants(nominal, [*singles, *fit_shapes(windows, [task for task in richer if task.thetas], fit_all)])
@@ -124,13 +126,14 @@ def _is_beside(effect: Effect, found: Effect) -> bool:
 
 
 def hold_again(found: Singles, gears: Term, fit_all: FitAll) -> Singles:
-    """The same with gears that are always on: each effect from where it was and from the start, since starts and shapes were those that
-    the swinging showed."""
+    """The same with gears that are always on: each effect from where it was, and where the gap does not hide behind the noise then from the
+    start, since starts and shapes were those that the swinging showed."""
     windows = hold_gears(found.windows, gears)
     nominal = fit_nominal(windows)
-    again = fit_all(windows, [fit_again(fit, nominal) for fit in found.fits])
-    anew = _fit_singles(windows, nominal, found.shown, found.wider, fit_all)
-    return replace(found, windows=windows, nominal=nominal, fits=tuple(choose_variants(nominal, [*again, *anew])))
+    fits = fit_all(windows, [fit_again(fit, nominal) for fit in found.fits])
+    if gap_of(windows, nominal) >= HIDDEN:
+        fits = choose_variants(nominal, [*fits, *_fit_singles(windows, nominal, found.shown, found.wider, fit_all)])
+    return replace(found, windows=windows, nominal=nominal, fits=tuple(fits))
 
 
 def fit_again(fit: EffectFit, nominal: EffectFit) -> Task:

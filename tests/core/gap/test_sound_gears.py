@@ -23,8 +23,10 @@ from core.gap.diagnosis import examine
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.evidence import Evidence, gather
 from core.gap.fit_all import Found, Job, Task, one_by_one
+from core.gap.materiality import HIDDEN
 from core.gap.partners import Look, add_effect
 from core.gap.problem import Problem
+from core.gap.singles import Singles, hold_again
 from core.gap.sound_gears import find_better_gears, find_gears_among, find_sound_gears, hold_gears
 from core.gap.windows import Windows
 from core.plant.faults import Fault
@@ -218,6 +220,24 @@ def test_no_two_effects_are_sought_where_the_gap_hides_behind_the_noise() -> Non
     evidence = gather(windows, others, fit_all)
     assert evidence.attribution.none < 0.5, "something shows"
     assert "Look" not in sought
+
+
+@pytest.mark.parametrize(("stiffness", "begun_anew"), [(24e3, False), (200e3, True)], ids=["behind the noise", "beyond it"])
+def test_effects_are_begun_anew_with_gears_unless_the_gap_hides_behind_the_noise_then(stiffness: float, begun_anew: bool) -> None:
+    windows = Windows(basis_of(moved(SOUND, payload="steel_block")))
+    nominal = fit_nominal(windows)
+    late = fit_effects(windows, (TimeDelay(),), nominal, [np.array([0.001])])
+    found = Singles(windows, nominal, (late,), (TimeDelay(),), (), (), False, ())
+    tasks: list[Task] = []
+
+    def fit_all(windows: Windows, jobs: Sequence[Job[Found]], /) -> list[Found]:
+        tasks.extend(job for job in jobs if isinstance(job, Task))
+        return one_by_one(windows, jobs)
+
+    held = hold_again(found, Term(JointElasticity(), np.array([*[1.0 / stiffness] * 6, 1.0, 0.05])), fit_all)
+    assert (gap_of(held.windows, held.nominal) < HIDDEN) != begun_anew
+    assert tasks[0].thetas[0] is late.theta
+    assert (len(tasks) > 1) == begun_anew
 
 
 def test_springs_that_lose_are_sought_as_a_change_of_gears_that_are_always_on() -> None:
