@@ -111,10 +111,21 @@ def _put_on_bounds(x: Array, below: Bools, above: Bools, bounds: Array) -> Array
 def solve_scaled(matrix: Array, right: Array) -> Array:
     """Solution (n,) or (n, k) of a symmetric positive definite system."""
     scale = 1.0 / np.sqrt(np.maximum(np.diag(matrix), 1e-300))
-    return np.asarray((np.linalg.solve(matrix * np.outer(scale, scale), (right.T * scale).T).T * scale).T)
+    A, b = matrix * np.outer(scale, scale), (right.T * scale).T
+    try:
+        x = np.linalg.solve(A, b)
+    except np.linalg.LinAlgError:  # singular by rounding: the shortest of all solutions
+        x = np.linalg.lstsq(A, b, rcond=LEAST_EIGENVALUE)[0]
+    return np.asarray((x.T * scale).T)
 
 
 def inverse(matrix: Array) -> Array:
     """Inverse of a symmetric positive definite matrix."""
     scale = 1.0 / np.sqrt(np.diag(matrix))
-    return np.asarray(np.linalg.inv(matrix * np.outer(scale, scale)) * np.outer(scale, scale))
+    A = matrix * np.outer(scale, scale)
+    try:
+        inverted = np.linalg.inv(A)
+    except np.linalg.LinAlgError:  # what rounding has lost is hardly known
+        values, vectors = np.linalg.eigh(A)
+        inverted = (vectors / np.maximum(values, LEAST_EIGENVALUE * values[-1])) @ vectors.T
+    return np.asarray(inverted * np.outer(scale, scale))

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.optimize import least_squares, lsq_linear
 
 from core.array import Array
-from core.estimation.quadratic import Quadratic, descend, find_bounded_minimum
+from core.estimation.quadratic import Quadratic, descend, find_bounded_minimum, inverse, solve_scaled
 
 
 def problem(seed: int, n: int) -> tuple[Array, Array, Array]:
@@ -92,3 +92,11 @@ def test_a_bent_valley_is_descended_to_where_a_search_by_trust_regions_ends() ->
     expected = least_squares(residual, [-1.2, 1.0], bounds=tuple(bounds), xtol=1e-14, ftol=1e-14, gtol=1e-14)
     np.testing.assert_allclose(found, expected.x, atol=1e-6)
     assert best.cost == pytest.approx(2.0 * expected.cost, rel=1e-6)
+
+
+def test_what_rounding_has_made_singular_is_solved_and_hardly_known() -> None:
+    matrix, right = 1e6 * np.ones((2, 2)), 2e6 * np.ones(2)
+    with pytest.raises(np.linalg.LinAlgError):
+        np.linalg.solve(matrix, right)
+    np.testing.assert_allclose(matrix @ solve_scaled(matrix, right), right, rtol=1e-6)
+    assert (np.diag(inverse(matrix)) > 1e3).all(), "either of the two alone is not known"
