@@ -50,7 +50,7 @@ class SaturationOfBridge(SensorSaturation):
             )
         )
 
-    def smaller_shape(self, scene: Scene) -> int | None:
+    def smaller_shape(self, scene: Scene) -> int:
         """One bridge."""
         return EACH
 

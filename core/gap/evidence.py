@@ -15,7 +15,7 @@ from core.gap.closure import gap_of
 from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import FitAll, Task, on_all_cores
 from core.gap.limits import GAP
-from core.gap.materiality import HIDDEN, find_margins
+from core.gap.materiality import find_margins, is_hidden
 from core.gap.partners import leave_out_each, partners, take_fewer
 from core.gap.proposal import Proposal
 from core.gap.singles import Singles, fit_shapes, fit_singly, hold_again, start_beside
@@ -126,9 +126,9 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
 
 
 def join(found: Singles, fit_all: FitAll = on_all_cores) -> Evidence:
-    """Two or three effects at once where one leaves something to explain, and what all of it comes to."""
+    """Two or three effects at once where one leaves something to explain that may matter, and what all of it comes to."""
     windows, nominal, singles = found.windows, found.nominal, list(found.fits)
-    if gap_of(windows, nominal) < HIDDEN:  # whatever several came to, it would not matter
+    if is_hidden(windows, nominal):
         return Evidence(windows, nominal, tuple(singles), (), attribute(windows, nominal, singles), found.limits)
     joinable = [effect for effect in (*found.shown, *found.wider) if not effect.stands_alone]
     grown = _join(windows, nominal, singles, joinable, fit_all)
@@ -221,6 +221,7 @@ def _find_needed(nominal: EffectFit, singles: list[EffectFit], joined: list[Effe
 
 
 def _take_most_probable(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:
+    """The most probable ones, the first before the second."""
     *_, shares = probabilities(nominal, fits)
     return [fits[k] for k in np.argsort(shares)[::-1][:RIVALS]]
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from core.array import Array
 from core.estimation.determination import find_determined
+from core.gap.closure import gap_of
 from core.gap.effect_fit import EffectFit
 from core.gap.limits import BEYOND_STD, GAP, SHARES, sizes
 from core.gap.windows import PHI, Windows
@@ -43,13 +44,17 @@ def is_material(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:
 
 def find_margins(windows: Windows, nominal: EffectFit, best: EffectFit) -> Margins:
     """By how much it does; what hides behind the noise moves nothing."""
-    gap = float(np.sqrt(max(0.0, 1.0 + (float(nominal.held_out.mean()) - 1.0) / windows.samples_per_row)))
-    reference, nothing = windows.basis.reference, not best.effects or gap < HIDDEN
+    reference, nothing = windows.basis.reference, not best.effects or is_hidden(windows, nominal)
     moved = 0.0 if nothing else find_farthest(best.phi - nominal.phi, best.phi, best.phi_std)
     off = np.nan if reference is None else find_farthest(nominal.phi - reference, reference, best.phi_std)
     if off > 1.0:
         off = 0.0 if nothing else off if is_doubtful(windows, nominal) else np.nan
-    return Margins(gap / GAP, moved, off)
+    return Margins(gap_of(windows, nominal) / GAP, moved, off)
+
+
+def is_hidden(windows: Windows, nominal: EffectFit) -> bool:
+    """Whether the gap hides behind the noise: whatever causes it moves nothing then."""
+    return gap_of(windows, nominal) < HIDDEN
 
 
 def is_doubtful(windows: Windows, fit: EffectFit) -> bool:

@@ -13,10 +13,9 @@ from core.effects.library import wider_shapes
 from core.effects.scene import Scene
 from core.estimation.gears import SoundGears
 from core.gap.attribution import choose_variants
-from core.gap.closure import gap_of
 from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.fit_all import FitAll, Task, on_all_cores
-from core.gap.materiality import HIDDEN
+from core.gap.materiality import is_hidden
 from core.gap.most_rows import DRAWN, PARTS, fit_most
 from core.gap.partners import terms_of
 from core.gap.problem import find_smaller
@@ -81,7 +80,7 @@ def _fit_singles(
     known = {term.effect.id: [term.theta] for term in windows.held}
     plain = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in effects]
     singles = choose_variants(nominal, fit_shapes(windows, [task for task in plain if task.thetas], fit_all))
-    if gap_of(windows, nominal) < HIDDEN or _one_is_clear(nominal, singles):
+    if is_hidden(windows, nominal) or _one_is_clear(nominal, singles):
         return singles
     richer = [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider]
     singles = choose_variants(nominal, [*singles, *fit_shapes(windows, [task for task in richer if task.thetas], fit_all)])
@@ -131,7 +130,7 @@ def hold_again(found: Singles, gears: Term, fit_all: FitAll) -> Singles:
     windows = hold_gears(found.windows, gears)
     nominal = fit_nominal(windows)
     fits = fit_all(windows, [fit_again(fit, nominal) for fit in found.fits])
-    if gap_of(windows, nominal) >= HIDDEN:
+    if not is_hidden(windows, nominal):
         fits = choose_variants(nominal, [*fits, *_fit_singles(windows, nominal, found.shown, found.wider, fit_all)])
     return replace(found, windows=windows, nominal=nominal, fits=tuple(fits))
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from copy import copy
 
+from core.array import Array
 from core.effects.composition import Term
 from core.effects.joint_elasticity import JointElasticity
 from core.estimation.gears import SOFTEST_RAD_PER_NM, SoundGears
@@ -30,21 +32,14 @@ def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectF
 
     Whether softer joints would explain the gap better is looked at first: then they are the effect.
     """
-    gears = SoundGears()
     best = min(singles, key=lambda fit: fit.chi_square, default=nominal)
-    left, soft = find_left_share(nominal, best), best.name == gears.id
+    left, soft = find_left_share(nominal, best), best.name == SoundGears.id
     scene = windows.basis.scene.with_phi(nominal.phi)
-    if gears.explain_absence(scene) is not None or scene.apart or (left < ONE_IS_ENOUGH and not soft):
+    if SoundGears().explain_absence(scene) is not None or scene.apart or (left < ONE_IS_ENOUGH and not soft):
         return None
-    others = [fit for fit in singles if fit.name != gears.id]
-    bases = [nominal, *sorted(others, key=lambda fit: fit.chi_square)[:BESIDE]]
-    starts = gears.starts(scene, windows.on_grid(nominal.residual))
-    found = fit_all(windows, [add_effect(windows, base, gears, starts) for base in bases])
-    base, fit = min(zip(bases, found, strict=True), key=lambda pair: pair[1].chi_square)
-    there = find_left_share(nominal, fit)
-    if there > EXPLAIN * find_left_share(nominal, base) or there > left + ONE_IS_ENOUGH:
-        return None
-    return _term_of(windows, fit)
+    others = [fit for fit in singles if fit.name != SoundGears.id]
+    fit = _fit_beside(windows, nominal, [nominal, *sorted(others, key=lambda fit: fit.chi_square)[:BESIDE]], fit_all)
+    return None if fit is None or find_left_share(nominal, fit) > left + ONE_IS_ENOUGH else _term_of(windows, fit)
 
 
 def find_gears_among(windows: Windows, together: EffectFit, fit_all: FitAll) -> Term | None:
@@ -66,15 +61,22 @@ def find_gears_among(windows: Windows, together: EffectFit, fit_all: FitAll) -> 
 def find_better_gears(windows: Windows, nominal: EffectFit, sets: list[EffectFit], fit_all: FitAll) -> Term | None:
     """Gears that are held and were found beside one effect, as they show beside several at once; None where that explains little of what
     these leave."""
-    held = [term for term in windows.held if term.effect.id == SoundGears.id]
+    held = [term.theta for term in windows.held if term.effect.id == SoundGears.id]
     others = [fit for fit in sets if SoundGears.id not in fit.name.split("+") and find_left_share(nominal, fit) >= ONE_IS_ENOUGH]
-    if not held or not others:
-        return None
+    fit = _fit_beside(windows, nominal, others, fit_all, held) if held and others else None
+    return None if fit is None else _term_of(windows, fit)
+
+
+def _fit_beside(
+    windows: Windows, nominal: EffectFit, bases: list[EffectFit], fit_all: FitAll, known: Sequence[Array] = ()
+) -> EffectFit | None:
+    """The gears beside that of the fits with which they leave least, from what is known of them, too; None where they explain little of
+    what it leaves."""
     gears = SoundGears()
-    starts = [held[0].theta, *gears.starts(windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual))]
-    found = fit_all(windows, [add_effect(windows, fit, gears, starts) for fit in others])
-    base, fit = min(zip(others, found, strict=True), key=lambda pair: pair[1].chi_square)
-    return None if find_left_share(nominal, fit) > EXPLAIN * find_left_share(nominal, base) else _term_of(windows, fit)
+    starts = [*known, *gears.starts(windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual))]
+    found = fit_all(windows, [add_effect(windows, base, gears, starts) for base in bases])
+    base, fit = min(zip(bases, found, strict=True), key=lambda pair: pair[1].chi_square)
+    return None if find_left_share(nominal, fit) > EXPLAIN * find_left_share(nominal, base) else fit
 
 
 def _term_of(windows: Windows, fit: EffectFit) -> Term | None:

@@ -26,10 +26,9 @@ from core.effects.scene import Scene
 from core.effects.sensor_gain import SensorGain
 from core.effects.zeros_that_warm_up import ZerosThatWarmUp
 from core.gap.basis import basis_of
-from core.gap.closure import gap_of
 from core.gap.evidence import EXPLAINED, gather
 from core.gap.fit_all import Found, Job, Task, one_by_one
-from core.gap.materiality import HIDDEN
+from core.gap.materiality import is_hidden
 from core.gap.singles import ONE_IS_CLEAR
 from core.gap.sound_gears import ONE_IS_ENOUGH
 from core.gap.weighing import find_left_share
@@ -98,7 +97,7 @@ def test_richer_shapes_are_sought_for_a_gap_that_shows_unless_a_plain_one_explai
     evidence = gather(Windows(basis_of(recording)), few("sensor_gain", "sensor_offset_step", *among), fit_all)
     least = min(find_left_share(evidence.nominal, fit) for fit in evidence.singles)
     assert (least < ONE_IS_CLEAR) == ("time_delay" in among or delay_s < 0.001)
-    assert (gap_of(evidence.windows, evidence.nominal) < HIDDEN) == (delay_s < 0.001)
+    assert is_hidden(evidence.windows, evidence.nominal) == (delay_s < 0.001)
     assert any(effect.wider_shape for effect in fitted) == sought
 
 

@@ -23,7 +23,7 @@ from core.gap.diagnosis import examine
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.evidence import Evidence, gather
 from core.gap.fit_all import Found, Job, Task, one_by_one
-from core.gap.materiality import HIDDEN
+from core.gap.materiality import is_hidden
 from core.gap.partners import Look, add_effect
 from core.gap.problem import Problem
 from core.gap.singles import Singles, hold_again
@@ -216,7 +216,7 @@ def test_no_two_effects_are_sought_where_the_gap_hides_behind_the_noise() -> Non
         sought.update(type(job).__name__ for job in jobs)
         return one_by_one(windows, jobs)
 
-    assert gap_of(windows, fit_nominal(windows)) < 1.01
+    assert is_hidden(windows, fit_nominal(windows))
     evidence = gather(windows, others, fit_all)
     assert evidence.attribution.none < 0.5, "something shows"
     assert "Look" not in sought
@@ -235,7 +235,7 @@ def test_effects_are_begun_anew_with_gears_unless_the_gap_hides_behind_the_noise
         return one_by_one(windows, jobs)
 
     held = hold_again(found, Term(JointElasticity(), np.array([*[1.0 / stiffness] * 6, 1.0, 0.05])), fit_all)
-    assert (gap_of(held.windows, held.nominal) < HIDDEN) != begun_anew
+    assert is_hidden(held.windows, held.nominal) != begun_anew
     assert tasks[0].thetas[0] is late.theta
     assert (len(tasks) > 1) == begun_anew
 
