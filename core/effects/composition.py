@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
+import numpy as np
+
 from core.array import Array
 from core.effects.effect import STAGES, Effect
 from core.effects.memory import Memory
@@ -28,7 +30,7 @@ class Composition:
 
     def __init__(self, terms: Iterable[Term]) -> None:
         ordered = sorted(terms, key=lambda term: STAGES.index(term.effect.stage))
-        self._terms = [(term, Memory()) for term in ordered]
+        self._terms = [(term, Memory(), Memory()) for term in ordered]
 
     def __len__(self) -> int:
         return len(self._terms)
@@ -38,7 +40,17 @@ class Composition:
 
         Scenes of several calls are blocks of one run, one behind the other.
         """
-        w = scene.nominal
-        for term, memory in self._terms:
-            w = term.effect.wrench(replace(scene, memory=memory), w, term.theta)
+        w, shaken = scene.nominal, scene
+        if any(term.effect.bears_shaking for term, *_ in self._terms):
+            shakers = ((term, memory) for term, _, memory in self._terms if term.effect.shakes_joints)
+            shaken = let_shake(scene, (term.effect.shake(replace(scene, memory=memory), term.theta) for term, memory in shakers))
+        for term, memory, _ in self._terms:
+            seen = shaken if term.effect.bears_shaking else scene
+            w = term.effect.wrench(replace(seen, memory=memory), w, term.theta)
         return w - scene.nominal
+
+
+def let_shake(scene: Scene, shaking: Iterable[Array]) -> Scene:
+    """The scene as springs in the joints feel it that bear what effects shake the links by, (N, n) each, rad/s2; itself where none does."""
+    accelerations = list(shaking)
+    return scene.with_shaking(np.sum(accelerations, axis=0)) if accelerations else scene

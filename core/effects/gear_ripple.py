@@ -28,6 +28,7 @@ class GearRipple(Effect):
     stage = "kinematics"
     only_adds = True
     needs_motion = True
+    shakes_joints = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """For each joint the gear ratio and the amplitudes of cosine and sine, rad."""
@@ -42,9 +43,17 @@ class GearRipple(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """`w` plus what the payload asks more with joints at `q + c cos(2 N q) + s sin(2 N q)`."""
+        """`w` plus what the payload asks more with joints that run ahead so."""
+        return w + wrench_change(scene, true_motion(scene, *self.find_errors(scene, theta)))
+
+    def shake(self, scene: Scene, theta: Array) -> Array:
+        """The second derivative of how far they run ahead."""
+        return self.find_errors(scene, theta)[1]
+
+    def find_errors(self, scene: Scene, theta: Array) -> tuple[Array, Array]:
+        """(N, n) each, `c cos(2 N q) + s sin(2 N q)`, rad, and its second derivative, rad/s2."""
         ratio, c, s = theta.reshape(-1, 3).T
-        return w + wrench_change(scene, true_motion(scene, *angle_wave(scene, 2.0 * ratio, c, s)))
+        return angle_wave(scene, 2.0 * ratio, c, s)
 
     def explain_lack(self, scene: Scene) -> Message | None:
         """A reason where the recording has no joint positions."""

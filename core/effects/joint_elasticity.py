@@ -15,7 +15,8 @@ from core.words.message import Message
 
 class JointElasticity(Effect):
     """True joints are `q + e` with `share M e'' + D e' + K e = -tau`, K = 1/C per joint: the links hang back behind the motors that hold
-    them, and swing on their springs. tau and M are those of the rigid arm with its payload along the recorded motion of the motors.
+    them, and swing on their springs. tau and M are those of the rigid arm with its payload along the recorded motion of the motors; gears
+    that shake the links by r'' ask `share M r''` besides.
 
     Spong, Modeling and control of elastic joint robots, 1987, with the motors' motion known. A share of 1 is the inertia by the URDF's
     masses, 0 a quasi-static arm, `e = -C tau`.
@@ -25,6 +26,7 @@ class JointElasticity(Effect):
     title = Message.of("effect-joint-elasticity-title")
     stage = "kinematics"
     only_adds = True
+    bears_shaking = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Compliance of each joint, rad/(N m), then the share of the inertia that swings and the damping ratio."""
@@ -38,9 +40,10 @@ class JointElasticity(Effect):
         """`w` plus what the payload asks more with joints at `q + e`, e from `share M e'' + D e' + K e = -tau`."""
         n, past = joint_count(scene), scene.past("deflection")
         share, damping = theta[n : n + 2]
-        error, acceleration = deflection(
-            scene.joint_inertia, rigid_load(scene), theta[:n], damping, scene.period, past, share, self.find_spring(theta)
-        )
+        load = rigid_load(scene)
+        if scene.shaking is not None:
+            load = load + share * np.einsum("nij,nj->ni", scene.joint_inertia, scene.shaking)
+        error, acceleration = deflection(scene.joint_inertia, load, theta[:n], damping, scene.period, past, share, self.find_spring(theta))
         return w + wrench_change(scene, true_motion(scene, error, acceleration))
 
     def find_spring(self, theta: Array) -> Spring:

@@ -8,8 +8,7 @@ from core.array import Array
 from core.effects.angle_wave import angle_wave
 from core.effects.effect import Parameter
 from core.effects.gear_ripple import GearRipple
-from core.effects.joint_error import joint_count, true_motion
-from core.effects.rigid_body import wrench_change
+from core.effects.joint_error import joint_count
 from core.effects.scene import Scene
 from core.effects.splines import smooth_by_splines
 from core.effects.window_search import weights
@@ -44,8 +43,8 @@ class RippleThatVaries(GearRipple):
         """A sine, the same all around."""
         return 3 * joint_count(scene)
 
-    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """`w` plus what the payload asks more with joints at these angles."""
+    def find_errors(self, scene: Scene, theta: Array) -> tuple[Array, Array]:
+        """(N, n) each, how far the joints run ahead, rad, and its second derivative, rad/s2."""
         n = joint_count(scene)
         ratio, cos, sin = theta[: 3 * n].reshape(-1, 3).T
         over_cos, over_sin, u, v = theta[3 * n :].reshape(-1, 4).T
@@ -54,8 +53,7 @@ class RippleThatVaries(GearRipple):
             # (u cos q + v sin q) (c cos x + s sin x) is one wave in x - q and one in x + q
             behind, ahead = (u * c + v * s, u * s - v * c), (u * c - v * s, u * s + v * c)
             waves += [(order, c, s), (order - 1, *np.divide(behind, 2.0)), (order + 1, *np.divide(ahead, 2.0))]
-        error, acceleration = angle_wave(scene, *np.array(waves).transpose(1, 2, 0))
-        return w + wrench_change(scene, true_motion(scene, error, acceleration))
+        return angle_wave(scene, *np.array(waves).transpose(1, 2, 0))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """None: it shows where a sine leaves something."""

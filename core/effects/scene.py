@@ -17,7 +17,7 @@ from core.effects.memory import Memory, Past
 from core.payload.inertia import Motion, spatial_inertia
 from core.payload.rigid_wrench import wrench
 
-PER_ROW = ("t", "phase", "motion", "rotation", "position", "q", "dq", "jacobian", "torque", "links", "temperature")
+PER_ROW = ("t", "phase", "motion", "rotation", "position", "q", "dq", "jacobian", "torque", "links", "temperature", "shaking")
 
 LEVEL_RAD, STILL_RAD, STILL_M = 0.02, 0.005, 0.002
 
@@ -48,6 +48,8 @@ class Scene:
         joint_twists: of this run as a whole, where much is fitted to it; worked out whenever it is asked for where absent.
         joint_waves: of errors that repeat with a joint's angle, likewise.
         apart: whether each row is a pose by itself, and nothing is known of the way from one to the next.
+        shaking: (N, n), rad/s2, accelerations of the links that springs in the joints have to bear beside those of the motors; None where
+            there are none.
     """
 
     t: Array
@@ -73,6 +75,7 @@ class Scene:
     joint_twists: JointTwists | None = None
     joint_waves: JointWaves | None = None
     apart: bool = False
+    shaking: Array | None = None
 
     def __len__(self) -> int:
         return len(self.t)
@@ -135,11 +138,18 @@ class Scene:
         return replace(self, phi=phi)
 
     def with_motion(self, motion: Motion) -> Scene:
-        """The same run and payload, the sensor moved otherwise; the inertia of arm and payload, which takes long, is the same."""
-        moved = replace(self, motion=motion)
+        """The same run and payload, the sensor moved otherwise."""
+        return self._keep_inertia(replace(self, motion=motion))
+
+    def with_shaking(self, shaking: Array) -> Scene:
+        """The same run and payload, with joints that are shaken, (N, n), rad/s2."""
+        return self._keep_inertia(replace(self, shaking=shaking))
+
+    def _keep_inertia(self, changed: Scene) -> Scene:
+        """With the inertia of arm and payload, which takes long and is the same."""
         if "joint_inertia" in vars(self):
-            vars(moved)["joint_inertia"] = self.joint_inertia
-        return moved
+            vars(changed)["joint_inertia"] = self.joint_inertia
+        return changed
 
     def turn_motion(self, error: Array) -> Motion:
         """Kinematics when the true sensor axes are turned by the small rotation vectors `error` (N, 3), sensor axes.

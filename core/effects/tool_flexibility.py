@@ -6,7 +6,7 @@ import numpy as np
 
 from core.array import Array
 from core.effects.effect import Effect, Parameter
-from core.effects.oscillator import oscillate, spectral_peaks
+from core.effects.oscillator import oscillate, oscillate_in_field, spectral_peaks
 from core.effects.scene import Scene
 from core.effects.window_search import columns_of_payload_and_offsets, weights
 from core.payload.inertia import spatial_inertia
@@ -22,17 +22,25 @@ SHAPE = (
 
 DAMPING = 0.05
 """Of the modes that are looked for."""
+LEAST_SQUARE = 1e-3
+"""Of a mode's size, in plausible ones, at the start of a fit."""
+PEAKS = 3
+"""Of the residual's spectrum whose frequencies are tried."""
+FIRSTS = 3
+"""Frequencies from which fits start: each for both modes, and the first beside the others."""
 ROWS = 4000
 """The search looks at no more rows than about this many."""
 PAIRS = [(i, j) for i in range(6) for j in range(i, 6)]
 
 
 class ToolFlexibility(Effect):
-    """The payload moves against the sensor in two modes, twists `xi eta`: `eta'' + 2 zeta w eta' + w^2 eta = -xi^T w_rigid`.
+    """The payload moves against the sensor in two modes, twists `xi eta`: `eta'' + 2 zeta w eta' + (w^2 + k) eta = -xi^T w_rigid`.
 
     Mode shapes xi are normalised by mass (Ewins, Modal testing, 2000): `xi^T M xi` is the share of the payload that a mode moves, M its
     spatial inertia. The mode adds the inertial wrench `M xi eta''`, and its displaced first moment s the torque `s x (a - g)`: the tool
-    sags as well as it rings.
+    sags as well as it rings. One that nods stands on its hinge or hangs from it, and gravity makes it softer or stiffer, by
+    `k = (a - g) . (omega x s')`, omega the angular part of xi and s' the first moment that it displaces per eta: what turns by eta lifts
+    by `omega x s' eta^2 / 2`.
     """
 
     id = "tool_flexibility"
@@ -40,6 +48,7 @@ class ToolFlexibility(Effect):
     stage = "payload"
     only_adds = True
     needs_motion = True
+    followed = 3
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Two frequencies, Hz, one damping ratio, and two mode shapes (6 each), normalised by mass, sensor frame."""
@@ -56,21 +65,21 @@ class ToolFlexibility(Effect):
         """`w` plus, for each mode, the inertial wrench `M xi eta''` and the torque `s x (a - g)` of its displaced first moment."""
         M, b = spatial_inertia(scene.phi), scene.motion.a - scene.motion.g
         for k, shape in enumerate(_shapes(theta)):
-            force = -(scene.nominal @ shape)[:, None]
-            y, _, dds = oscillate(force, scene.period, theta[k], theta[MODES], scene.past(f"mode {k}"))
-            w = w + _answer(M @ shape, b, y, dds) / (2.0 * np.pi * theta[k]) ** 2
+            moved = M @ shape
+            field = b @ np.cross(shape[3:], moved[:3])
+            y, _, dds = oscillate_in_field(-(scene.nominal @ shape), field, scene.period, theta[k], theta[MODES], scene.past(f"mode {k}"))
+            w = w + _answer(moved, b, y[:, None], dds[:, None])
         return w
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Where the residual's spectrum has peaks, and the frequencies of a grid that explain most of it; with the shapes that do."""
         frequency = self.parameters(scene)[0]
         search = _Search(scene, residual)
-        peaks = [search(f) for f in spectral_peaks(residual, scene.period, frequency.lower, frequency.upper, 2)]
-        grid = [search(float(f)) for f in np.geomspace(1.5 * frequency.lower, frequency.upper, 6)[:-1]]
-        grid.sort(key=lambda explained: -explained[0])
-        starts = [np.concatenate(([f, min(1.1 * f, frequency.upper), DAMPING], shapes)) for _, f, shapes in (*peaks, *grid[:2])]
-        if len(peaks) == MODES:
-            starts.append(np.concatenate(([f for _, f, _ in peaks], [DAMPING], *(shapes[:6] for *_, shapes in peaks))))
+        grid = np.geomspace(1.5 * frequency.lower, frequency.upper, 6)[:-1]
+        tried = [*spectral_peaks(residual, scene.period, frequency.lower, frequency.upper, PEAKS), *map(float, grid)]
+        first, *others = sorted(map(search, tried), key=lambda explained: -explained[0])[:FIRSTS]
+        starts = [np.concatenate(([f, min(1.1 * f, frequency.upper), DAMPING], shapes)) for _, f, shapes in (first, *others)]
+        starts += [np.concatenate(([first[1], f, DAMPING], first[2][:6], shapes[:6])) for _, f, shapes in others]
         return starts
 
     def advice(self, scene: Scene, theta: Array) -> Message:
@@ -110,13 +119,10 @@ class _Search:
         self.moments = spatial_inertia(scene.phi) * self.unit
         self.force = -scene.nominal * self.unit
         sag = self.columns(self.force, np.zeros_like(self.force))
-        known = np.concatenate([columns_of_payload_and_offsets(scene, self.rows).reshape(-1, 16), sag], axis=1)
-        self.known, _ = np.linalg.qr(known / np.maximum(np.linalg.norm(known, axis=0), 1e-12))
-        self.residual = self.remove_known(residual[self.rows].reshape(-1, 1))[:, 0]
-
-    def remove_known(self, x: Array) -> Array:
-        """What payload, offsets and sag leave of columns."""
-        return np.asarray(x - self.known @ (self.known.T @ x))
+        known = columns_of_payload_and_offsets(scene, self.rows).reshape(-1, 16)
+        self.known = _span(known)
+        self.known_and_sag = _span(np.concatenate([known, sag], axis=1))
+        self.residual = residual[self.rows].ravel()
 
     def columns(self, y: Array, dds: Array) -> Array:
         """Wrench of each element of B, in the rows and weights of the search, for answers (N, 6) of an oscillator to each force."""
@@ -132,12 +138,32 @@ class _Search:
     def __call__(self, frequency_hz: float) -> tuple[float, float, Array]:
         """Sum of squares explained, the frequency, and shapes of the largest modes, one behind the other."""
         y, _, dds = oscillate(self.force, self.scene.period, frequency_hz, DAMPING)
-        A = self.remove_known(self.columns(y, dds)) / (2.0 * np.pi * frequency_hz) ** 2
-        N, right = A.T @ A, A.T @ self.residual
+        columns = self.columns(y, dds) / (2.0 * np.pi * frequency_hz) ** 2
+        A, r = _remove(self.known_and_sag, columns), _remove(self.known_and_sag, self.residual)
+        N, right = A.T @ A, A.T @ r
         found = np.linalg.solve(N + np.eye(len(N)) + 1e-6 * np.diag(np.diag(N)), right)
         B = np.zeros((6, 6))
         for (i, j), value in zip(PAIRS, found, strict=True):
             B[i, j] = B[j, i] = value
         size, direction = np.linalg.eigh(B)
-        shapes = self.unit[:, None] * direction[:, -MODES:] * np.sqrt(np.maximum(size[-MODES:], 1e-3))
-        return float(right @ found), frequency_hz, shapes.T[::-1].ravel()
+        direction, square = direction[:, -MODES:], np.maximum(size[-MODES:], 0.0)
+        each = _remove(self.known, columns @ np.array([direction[i] * direction[j] for i, j in PAIRS]))
+        # modes are never less than nothing, and these sag, too: of both as much as explains most, and of the payload no more than all
+        change = each @ square
+        square = square * np.clip(change @ self.residual / max(float(change @ change), 1e-12), 0.0, 1.0)
+        directions = self.unit[:, None] * direction
+        moved = np.einsum("ik,ij,jk->k", directions, spatial_inertia(self.scene.phi), directions)
+        square = np.minimum(square, 1.0 / np.maximum(moved, 1e-12))
+        change = each @ square
+        explained = float(change @ (2.0 * self.residual - change))
+        return explained, frequency_hz, (directions * np.sqrt(np.maximum(square, LEAST_SQUARE))).T[::-1].ravel()
+
+
+def _span(columns: Array) -> Array:
+    """An orthonormal basis of what columns span."""
+    return np.asarray(np.linalg.qr(columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-12))[0])
+
+
+def _remove(basis: Array, x: Array) -> Array:
+    """What is left of columns without what the basis spans."""
+    return np.asarray(x - basis @ (basis.T @ x))

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.array import Array
+from core.effects.composition import let_shake
 from core.effects.effect import STAGES, Effect, Parameter
 from core.effects.scene import Scene
 from core.estimation.quadratic import find_bounded_minimum
@@ -112,14 +113,17 @@ class Problem:
 
     def _behind(self, theta: Array, scene: Scene, w: Array, known: dict[bytes, Array]) -> Array:
         """(N, 6), the wrench w behind all effects."""
-        end = 0
-        for effect, free, fixed in self._chain:
-            end += free
-            values = theta[end - free : end] if fixed is None else fixed
+        ends = np.cumsum([free for _, free, _ in self._chain], dtype=int)
+        chain = [(effect, theta[end - n : end] if x is None else x, end) for (effect, n, x), end in zip(self._chain, ends, strict=True)]
+        shakers = [(effect, values) for effect, values, _ in chain if effect.shakes_joints]
+        for effect, values, end in chain:
             if effect.only_adds:
                 key = b"added by " + effect.id.encode() + values.tobytes()
+                if effect.bears_shaking:
+                    key += b"".join(x.tobytes() for _, x in shakers)
                 if key not in known:
-                    known[key] = effect.wrench(scene, np.zeros_like(w), values)
+                    seen = let_shake(scene, (each.shake(scene, x) for each, x in shakers)) if effect.bears_shaking else scene
+                    known[key] = effect.wrench(seen, np.zeros_like(w), values)
                 w = w + known[key]
             else:
                 key = effect.id.encode() + theta[:end].tobytes()

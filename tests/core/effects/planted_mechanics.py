@@ -33,6 +33,7 @@ from tests.core.effects.mechanical_truth import (
     POINTS,
     Array,
     G,
+    Path3,
     T,
     at_point,
     believed,
@@ -117,17 +118,20 @@ def loose() -> Array:
     return rigid.wrench(POINTS[still], MASSES[still]) + np.hstack([f, np.cross(r + u, f)])
 
 
-def swung(loaded: float = 0.0, wind_up: float = 1.0) -> Array:
+def swung(loaded: float = 0.0, wind_up: float = 1.0, geared: Path3 = believed) -> Array:
     """Joints on springs behind motors whose motion is known, with the inertia of arm and point masses; the first joint is rigid. The
-    springs are 1 + `loaded` times as stiff where they have given way by more than about `wind_up`, rad."""
+    springs are 1 + `loaded` times as stiff where they have given way by more than about `wind_up`, rad, and lie behind gears that would
+    move stiff links as `geared` says."""
     J, soft = scene().jacobian, np.flatnonzero(SOFT)
     M = ARM + sum(
         m * np.einsum("nij,nik->njk", P, P) for m, P in zip(MASSES, (J[:, :3] - crossing(r) @ J[:, 3:] for r in POINTS), strict=True)
     )
     inertia, stiffness = CubicSpline(T, M[:, soft][:, :, soft]), 1 / SOFT[soft]
+    ahead = [geared(T + h) - believed(T + h) for h in (-2e-4, 0.0, 2e-4)]
+    asked = CubicSpline(T, np.einsum("nij,nj->ni", M[:, soft], (ahead[0] - 2 * ahead[1] + ahead[2]) / 4e-8))
 
     def pull(t: float) -> Array:
-        return brisk_load(np.array([t]))[0, soft]
+        return np.asarray(brisk_load(np.array([t]))[0, soft] + asked(t))
 
     def rate(t: float, state: Array) -> Array:
         e, de = state.reshape(2, -1)
@@ -144,7 +148,7 @@ def swung(loaded: float = 0.0, wind_up: float = 1.0) -> Array:
     deflection = solve_ivp(rate, (T[0], T[-1]), follows, method="DOP853", dense_output=True, rtol=1e-8, atol=1e-11).sol
 
     def true_joints(t: Array) -> Array:
-        q = believed(t)
+        q = geared(t)
         q[:, soft] += deflection(t)[: len(soft)].T
         return q
 

@@ -6,7 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from core.effects.composition import Composition, Term
 from core.effects.delay_of_clocks import DelayOfClocks
+from core.effects.gear_ripple import GearRipple
+from core.effects.joint_elasticity import JointElasticity
 from core.effects.payload_shift import PayloadShift
 from core.effects.sensor_offset_step import SensorOffsetStep
 from core.effects.time_delay import TimeDelay
@@ -60,3 +63,19 @@ def test_a_jump_that_nobody_saw_is_fitted_where_it_may_have_been() -> None:
     assert 7.0 < fit.theta[-1] < 13.0
     np.testing.assert_allclose(fit.theta[:6], jump, atol=0.1)
     assert fit.chi_square < 1.1 * fit.rows
+
+
+def test_springs_that_the_twin_holds_feel_the_gears_that_are_fitted() -> None:
+    windows = Windows(basis_of(record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(0))))
+    scene = windows.basis.scene.with_phi(windows.phi)
+    springs = Term(JointElasticity(), np.array([*[4e-5] * 7, 1.0, 0.05]))
+    windows.held = (springs,)
+    problem, known = Problem(windows, (GearRipple(),)), {}
+    ripple = np.tile([80.0, 2e-4, 0.0], 7)
+    changes = []
+    for gears in (ripple, 1.5 * ripple, ripple):
+        changes.append(problem.change(gears, scene, known))
+        together = Composition([springs, Term(GearRipple(), gears)]).change(scene)
+        np.testing.assert_allclose(changes[-1], together, atol=1e-9)
+        apart = problem.change(0.0 * ripple, scene) + Composition([Term(GearRipple(), gears)]).change(scene)
+        assert np.abs(together - apart).max() > 0.1 * np.abs(together).max()
