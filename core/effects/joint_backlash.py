@@ -33,6 +33,7 @@ class JointBacklash(Effect):
     stage = "kinematics"
     only_adds = True
     needs_motion = True
+    shakes_joints = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Half the play of each joint, rad, then the contact torque, N m, the lag of the load, s, and that of the side, s."""
@@ -44,7 +45,15 @@ class JointBacklash(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """`w` plus what the payload asks more with joints at `q - b s`, averaged as the scene's windows show it."""
+        """`w` plus what the payload asks more with joints at `q - b s`."""
+        return w + wrench_change(scene, true_motion(scene, *self.find_errors(scene, theta)))
+
+    def shake(self, scene: Scene, theta: Array) -> Array:
+        """The second derivative of `-b s`."""
+        return self.find_errors(scene, theta)[1]
+
+    def find_errors(self, scene: Scene, theta: Array) -> tuple[Array, Array]:
+        """(N, n) each, `-b s`, rad, averaged as the scene's windows show it, and its second derivative, rad/s2."""
         n = joint_count(scene)
         contact_torque, lag, crossing = theta[n : n + 3]
         load = low_pass(joint_torque(scene), lag, scene.period, scene.past("load"))
@@ -53,7 +62,7 @@ class JointBacklash(Effect):
             side = low_pass(side, crossing, scene.period, scene.past(stage))
         error = smooth_by_splines(-theta[:n] * side, scene.period, scene.window)
         rate = derivative(error, scene.period, scene.past("error"))
-        return w + wrench_change(scene, true_motion(scene, error, derivative(rate, scene.period, scene.past("rate"))))
+        return error, derivative(rate, scene.period, scene.past("rate"))
 
     def find_pushing_load(self, scene: Scene, load: Array, theta: Array) -> Array:
         """(N, n), N m, by which a joint is pushed to a side; here all of its load."""

@@ -68,20 +68,21 @@ class SaturationOfBridge(SensorSaturation):
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The directions in which large residuals lie, one or two, and for each the plane in the load by which they grow to either side;
         none where they lie in others."""
-        if scene.noise is None:
-            return []
-        size = np.linalg.norm(residual, axis=1)
-        large = size > max(LARGE_SIGMA, LARGE_SHARE * float(size.max()))
+        large = _find_large(residual)
         ways = list(_find_ways(residual, large))
         if not ways:
             return []
         span, _ = np.linalg.qr(np.column_stack([way for way, _ in ways]))
         if np.square(residual[large] @ span).sum() < THOSE_WAYS * np.square(residual[large]).sum():
             return []
-        load = find_load_at_rest(scene.phi)
-        bridges = [_start(scene.nominal / load, residual, way, scene.noise / load, rows) for way, rows in ways]
-        found = [bridge for bridge in bridges if float(bridge[:6] @ bridge[8:]) > _find_least(bridge)]
+        found = [bridge for bridge in _find_bridges(scene, residual, ways) if float(bridge[:6] @ bridge[8:]) > _find_least(bridge)]
         return [np.concatenate((*found, np.zeros(EACH * (BRIDGES - len(found)))))] if found else []
+
+    def starts_beside(self, scene: Scene, residual: Array, plain: Array) -> list[Array]:
+        """Where this shape itself has left the residual: each of its bridges with the one that shows in what is left."""
+        known = [bridge for bridge in plain.reshape(-1, EACH) if bridge.any()] if len(plain) == BRIDGES * EACH else []
+        found = _find_bridges(scene, residual, list(_find_ways(residual, _find_large(residual)))[:1])
+        return [np.concatenate((bridge, other)) for bridge in known for other in found]
 
     def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises a larger range or a lighter payload, with the channel that loses most, and the share of the run in which it does, %."""
@@ -89,6 +90,20 @@ class SaturationOfBridge(SensorSaturation):
         _, channel = find_largest_channel(lost.sum(axis=0))
         beyond = (lost > 0.0).any(axis=1)
         return Message.of("advice-sensor-saturation-bridge", channel=channel, share=float(beyond.mean()))
+
+
+def _find_large(residual: Array) -> NDArray[np.bool_]:
+    """(N,), the rows in which a bridge is beyond its end."""
+    size = np.linalg.norm(residual, axis=1)
+    return np.asarray(size > max(LARGE_SIGMA, LARGE_SHARE * float(size.max())))
+
+
+def _find_bridges(scene: Scene, residual: Array, ways: list[tuple[Array, NDArray[np.bool_]]]) -> list[Array]:
+    """(14,) each, whose ends the rows along these directions are beyond; none where the noise is not known."""
+    if scene.noise is None:
+        return []
+    load = find_load_at_rest(scene.phi)
+    return [_start(scene.nominal / load, residual, way, scene.noise / load, rows) for way, rows in ways]
 
 
 def _find_ways(residual: Array, large: NDArray[np.bool_]) -> Iterator[tuple[Array, NDArray[np.bool_]]]:

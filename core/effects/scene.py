@@ -138,18 +138,17 @@ class Scene:
         return replace(self, phi=phi)
 
     def with_motion(self, motion: Motion) -> Scene:
-        """The same run and payload, the sensor moved otherwise."""
-        return self._keep_inertia(replace(self, motion=motion))
+        """The same run and payload, the sensor moved otherwise; the inertia of arm and payload, which takes long, is the same."""
+        moved = replace(self, motion=motion)
+        if "joint_inertia" in vars(self):
+            vars(moved)["joint_inertia"] = self.joint_inertia
+        return moved
 
     def with_shaking(self, shaking: Array) -> Scene:
         """The same run and payload, with joints that are shaken, (N, n), rad/s2."""
-        return self._keep_inertia(replace(self, shaking=shaking))
-
-    def _keep_inertia(self, changed: Scene) -> Scene:
-        """With the inertia of arm and payload, which takes long and is the same."""
-        if "joint_inertia" in vars(self):
-            vars(changed)["joint_inertia"] = self.joint_inertia
-        return changed
+        shaken = replace(self, shaking=shaking)
+        vars(shaken).update(nominal=self.nominal, joint_inertia=self.joint_inertia, joint_load=self.joint_load)
+        return shaken
 
     def turn_motion(self, error: Array) -> Motion:
         """Kinematics when the true sensor axes are turned by the small rotation vectors `error` (N, 3), sensor axes.

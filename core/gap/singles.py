@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from core.array import Array
 from core.effects.composition import Term
 from core.effects.effect import Effect
 from core.effects.library import wider_shapes
@@ -21,11 +22,13 @@ from core.gap.partners import terms_of
 from core.gap.problem import find_smaller
 from core.gap.sound_gears import find_sound_gears, hold_gears
 from core.gap.weighing import find_left_share
-from core.gap.windows import PHI, Windows
+from core.gap.windows import Windows
 from core.words.message import Message
 
 BESIDE = 6
 """Single effects beside which their richer shapes are sought: of a clock that runs off a constant delay explains little."""
+MUCH, AGAIN = 0.5, 3
+"""Share of the excess left over up to which an effect is fitted again from the payload that was found with it, and how often."""
 ONE_IS_CLEAR = 3e-4
 """Share of the excess left over by one effect below which neither richer shapes are sought nor any started from the rows that most agree
 on: what spoils the first estimate leaves more to the others."""
@@ -87,7 +90,7 @@ def _fit_singles(
     beside = [task for task in start_beside(windows, nominal, singles, wider) if task.thetas]
     singles = choose_variants(nominal, [*singles, *fit_all(windows, beside)]) if beside else singles
     if find_left_share(nominal, min(singles, key=lambda fit: fit.chi_square, default=nominal)) > ONE_IS_CLEAR:
-        singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, [*effects, *wider], fit_all)])
+        singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, singles, [*effects, *wider], fit_all)])
     return singles
 
 
@@ -140,17 +143,33 @@ def fit_again(fit: EffectFit, nominal: EffectFit) -> Task:
     return Task(fit.effects, nominal, [fit.theta], fit.kept_absent > 0)
 
 
-def _fit_from_most(windows: Windows, nominal: EffectFit, effects: Sequence[Effect], fit_all: FitAll) -> list[EffectFit]:
-    """Effects that spoil the first estimate, started from the payload that most rows agree on."""
+def _fit_from_most(
+    windows: Windows, nominal: EffectFit, singles: list[EffectFit], effects: Sequence[Effect], fit_all: FitAll
+) -> list[EffectFit]:
+    """Effects that spoil the first estimate, started from the payload that most rows agree on; the best fit of them again from the payload
+    that was found with it, which shows better what is missing, and with what it has left over."""
     wanted = [effect for effect in effects if effect.starts_from_most]
     if not wanted or len(windows) < PARTS * DRAWN:
         return []
-    beta = fit_most(windows, windows.target - nominal.change)
-    scene = windows.basis.scene.with_phi(beta[PHI])
-    residual = windows.on_grid(windows.target - nominal.change - windows.X @ beta)
-    start = replace(nominal, beta=beta)
-    tasks = [Task((effect,), start, effect.starts(scene, residual)) for effect in wanted]
-    return fit_all(windows, [task for task in tasks if task.thetas])
+
+    def see(start: EffectFit) -> tuple[Scene, Array]:
+        residual = windows.target - nominal.change - windows.X @ start.beta
+        return windows.basis.scene.with_phi(start.phi), windows.on_grid(residual)
+
+    start = replace(nominal, beta=fit_most(windows, windows.target - nominal.change))
+    tasks = [Task((effect,), start, effect.starts(*see(start))) for effect in wanted]
+    found = fit_all(windows, [task for task in tasks if task.thetas])
+    for _ in range(AGAIN):
+        best = min((*found, *(fit for fit in singles if fit.effects[0] in wanted)), key=lambda fit: fit.chi_square, default=nominal)
+        if not ONE_IS_CLEAR < find_left_share(nominal, best) < MUCH:
+            break
+        (effect,), (scene, residual) = best.effects, see(best)
+        thetas = [*effect.starts(scene, residual), *effect.starts_beside(scene, windows.on_grid(best.residual), best.theta)]
+        again = fit_all(windows, [Task((effect,), best, [theta]) for theta in thetas])
+        found += again
+        if min(fit.chi_square for fit in again) >= best.chi_square:
+            break
+    return found
 
 
 def _explain_absence(effect: Effect, scene: Scene, *, at_rest: bool) -> Message | None:

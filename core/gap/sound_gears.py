@@ -37,8 +37,9 @@ def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectF
     scene = windows.basis.scene.with_phi(nominal.phi)
     if SoundGears().explain_absence(scene) is not None or scene.apart or (left < ONE_IS_ENOUGH and not soft):
         return None
-    others = [fit for fit in singles if fit.name != SoundGears.id]
-    fit = _fit_beside(windows, nominal, [nominal, *sorted(others, key=lambda fit: fit.chi_square)[:BESIDE]], fit_all)
+    others = sorted((fit for fit in singles if fit.name != SoundGears.id), key=lambda fit: fit.chi_square)
+    shaking = [fit for fit in others[BESIDE:] if fit.effects[0].shakes_joints]  # on their springs such effects do much more
+    fit = _fit_beside(windows, nominal, [nominal, *others[:BESIDE], *shaking], fit_all)
     return None if fit is None or find_left_share(nominal, fit) > left + ONE_IS_ENOUGH else _term_of(windows, fit)
 
 
