@@ -11,6 +11,7 @@ import pytest
 
 from core.effects.composition import Term
 from core.effects.elasticity_that_loses import ElasticityThatLoses
+from core.effects.gear_ripple import GearRipple
 from core.effects.joint_elasticity import JointElasticity
 from core.effects.library import library
 from core.effects.payload_mass_change import PayloadMassChange
@@ -30,6 +31,7 @@ from core.gap.singles import Singles, hold_again
 from core.gap.sound_gears import find_better_gears, find_gears_among, find_sound_gears, hold_gears
 from core.gap.windows import Windows
 from core.plant.faults import Fault
+from core.plant.faults.joint_gears import Ripple
 from core.plant.faults.joint_springs import ElasticJoints
 from core.plant.faults.payload import MassStep
 from core.plant.faults.sensor_memory import PlayHysteresis
@@ -44,6 +46,7 @@ STIFF = ElasticJoints((45e3,) * 6)
 SOUND = ElasticJoints((24e3,) * 6)
 SOFT = ElasticJoints((4e3,) * 6)
 PLAY = PlayHysteresis((0.0, 0.45, 0.0, 0.0, 0.0, 0.0))
+RIPPLE = Ripple((2e-4,) * 6, (160, 160, 200, 200, 240, 160), (0.3, 1.4, 2.9, 4.0, 5.1, 0.9))
 LOST = MassStep(change_kg=-0.02, at_m=(0.0, 0.01, 0.03), begin_s=20.0, duration_s=0.0)
 NAMES = ("sensor_hysteresis", "joint_elasticity", "payload_mass_change", "base_tilt", "time_delay", "joint_offset")
 FEW = [effect for effect in library() if effect.id in NAMES]
@@ -104,6 +107,20 @@ def test_two_that_are_wrong_besides_are_named_without_a_third() -> None:
     verdict, evidence = examined(SOUND, replace(LOST, change_kg=-0.03), Delay(0.004))
     assert (verdict, evidence.best.name) == ("explained", "payload_mass_change+time_delay")
     assert held(evidence) == ["joint_elasticity"]
+
+
+@pytest.mark.thorough
+def test_springs_are_sought_beside_gears_that_ripple_however_little_these_explain_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    windows = Windows(basis_of(moved(SOUND, RIPPLE, payload="steel_block")))
+    nominal = fit_nominal(windows)
+    scene, residual = windows.basis.scene.with_phi(nominal.phi), windows.on_grid(nominal.residual)
+    ripple = fit_effects(windows, (GearRipple(),), nominal, GearRipple().starts(scene, residual))
+    monkeypatch.setattr("core.gap.sound_gears.BESIDE", 0)
+    gears = find_sound_gears(windows, nominal, [ripple], one_by_one)
+    assert gears is not None
+    held = hold_gears(windows, gears)
+    together = fit_effects(held, ripple.effects, fit_nominal(held), [ripple.theta])
+    assert together.chi_square < 0.5 * ripple.chi_square
 
 
 @pytest.mark.thorough
