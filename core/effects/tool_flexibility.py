@@ -48,7 +48,7 @@ class ToolFlexibility(Effect):
     stage = "payload"
     only_adds = True
     needs_motion = True
-    followed = 3
+    followed = 2
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Two frequencies, Hz, one damping ratio, and two mode shapes (6 each), normalised by mass, sensor frame."""

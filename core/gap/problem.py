@@ -122,7 +122,7 @@ class Problem:
                 if effect.bears_shaking:
                     key += b"".join(x.tobytes() for _, x in shakers)
                 if key not in known:
-                    seen = let_shake(scene, (each.shake(scene, x) for each, x in shakers)) if effect.bears_shaking else scene
+                    seen = let_shake(scene, (_shake(*shaker, scene, known) for shaker in shakers)) if effect.bears_shaking else scene
                     known[key] = effect.wrench(seen, np.zeros_like(w), values)
                 w = w + known[key]
             else:
@@ -209,6 +209,14 @@ class Problem:
         # not by an addition, which may round to either side: what is at a bound has to be told from what is free
         found = np.select(list(step == room), list(self.bounds), here + step)
         return found[: len(beta)], np.clip(found[len(beta) :], self.lower, self.upper)
+
+
+def _shake(effect: Effect, theta: Array, scene: Scene, known: dict[bytes, Array]) -> Array:
+    """(N, n), rad/s2, found once while the springs move."""
+    key = b"shaken by " + effect.id.encode() + theta.tobytes()
+    if key not in known:
+        known[key] = effect.shake(scene, theta)
+    return known[key]
 
 
 def parameters_of(windows: Windows, effect: Effect) -> tuple[Parameter, ...]:

@@ -38,8 +38,11 @@ def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectF
     if SoundGears().explain_absence(scene) is not None or scene.apart or (left < ONE_IS_ENOUGH and not soft):
         return None
     others = sorted((fit for fit in singles if fit.name != SoundGears.id), key=lambda fit: fit.chi_square)
+    fit = _fit_beside(windows, nominal, [nominal, *others[:BESIDE]], fit_all)
     shaking = [fit for fit in others[BESIDE:] if fit.effects[0].shakes_joints]  # on their springs such effects do much more
-    fit = _fit_beside(windows, nominal, [nominal, *others[:BESIDE], *shaking], fit_all)
+    if shaking and (fit is None or find_left_share(nominal, fit) >= ONE_IS_ENOUGH):
+        further = _fit_beside(windows, nominal, shaking, fit_all)
+        fit = min((each for each in (fit, further) if each is not None), key=lambda fit: fit.chi_square, default=None)
     return None if fit is None or find_left_share(nominal, fit) > left + ONE_IS_ENOUGH else _term_of(windows, fit)
 
 
