@@ -10,8 +10,10 @@ import numpy as np
 
 from core.array import Array
 from core.effects.effect import STAGES, Effect
+from core.effects.joint_elasticity import JointElasticity
 from core.effects.memory import Memory
 from core.effects.scene import Scene
+from core.effects.transmission import Transmission
 
 
 class Term(NamedTuple):
@@ -41,11 +43,11 @@ class Composition:
         Scenes of several calls are blocks of one run, one behind the other.
         """
         w, shaken = scene.nominal, scene
-        if any(term.effect.bears_shaking for term, *_ in self._terms):
-            shakers = ((term, memory) for term, _, memory in self._terms if term.effect.shakes_joints)
-            shaken = let_shake(scene, (term.effect.shake(replace(scene, memory=memory), term.theta) for term, memory in shakers))
+        if any(isinstance(term.effect, JointElasticity) for term, *_ in self._terms):
+            gears = ((term.effect, replace(scene, memory=memory), term.theta) for term, _, memory in self._terms)
+            shaken = let_shake(scene, (gear.find_errors(own, x)[1] for gear, own, x in gears if isinstance(gear, Transmission)))
         for term, memory, _ in self._terms:
-            seen = shaken if term.effect.bears_shaking else scene
+            seen = shaken if isinstance(term.effect, JointElasticity) else scene
             w = term.effect.wrench(replace(seen, memory=memory), w, term.theta)
         return w - scene.nominal
 

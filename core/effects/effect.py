@@ -80,10 +80,6 @@ class Effect(ABC):
     last_resort: ClassVar[bool] = False
     """Whether it is sought only where all else, also together, leaves much."""
 
-    shakes_joints: ClassVar[bool] = False
-    """Whether it makes links run ahead of their motors, so that springs between the two feel it: see `shake`."""
-    bears_shaking: ClassVar[bool] = False
-    """Whether it is such springs."""
     beside: ClassVar[type[Effect] | None] = None
     """The shape that `starts_beside` starts from, where it is not the plain one."""
 
@@ -107,10 +103,6 @@ class Effect(ABC):
             w: (N, 6), what the nominal twin predicts, N and N m; offsets are not in it.
             theta: parameters, in the order of `parameters`. At their `absent` values the result equals `w`.
         """
-
-    def shake(self, scene: Scene, theta: Array) -> Array:
-        """(N, n), rad/s2, the acceleration by which it makes links run ahead of their motors; for what `shakes_joints`."""
-        raise NotImplementedError(self.id)
 
     def explain_lack(self, scene: Scene) -> Message | None:
         """Why the model cannot be evaluated in this scene (no joints, no positions), None where it can."""

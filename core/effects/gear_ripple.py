@@ -6,18 +6,18 @@ import numpy as np
 
 from core.array import Array
 from core.effects.angle_wave import angle_wave
-from core.effects.effect import Effect, Parameter
+from core.effects.effect import Parameter
 from core.effects.gear_search import COARSEST, FINEST, Peak, RippleSearch
-from core.effects.joint_error import joint_count, true_motion, without_joints
-from core.effects.rigid_body import wrench_change
+from core.effects.joint_error import joint_count
 from core.effects.scene import Scene
+from core.effects.transmission import Transmission
 from core.words.message import Message
 
 SEARCHED_RAD = 3e-4
 """Size of the ripples from which a fit starts: from too small ones, it would jump to another ratio."""
 
 
-class GearRipple(Effect):
+class GearRipple(Transmission):
     """True joints are `q + c cos(2 N q) + s sin(2 N q)`, with a ratio N and c, s per joint: arms have gears of several sizes.
 
     Small as an angle; its second derivative is what shows, `(2 N dq)^2` times as large.
@@ -25,10 +25,6 @@ class GearRipple(Effect):
 
     id = "gear_ripple"
     title = Message.of("effect-gear-ripple-title")
-    stage = "kinematics"
-    only_adds = True
-    needs_motion = True
-    shakes_joints = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """For each joint the gear ratio and the amplitudes of cosine and sine, rad."""
@@ -42,22 +38,10 @@ class GearRipple(Effect):
             )
         )
 
-    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """`w` plus what the payload asks more with joints that run ahead so."""
-        return w + wrench_change(scene, true_motion(scene, *self.find_errors(scene, theta)))
-
-    def shake(self, scene: Scene, theta: Array) -> Array:
-        """The second derivative of how far they run ahead."""
-        return self.find_errors(scene, theta)[1]
-
     def find_errors(self, scene: Scene, theta: Array) -> tuple[Array, Array]:
         """(N, n) each, `c cos(2 N q) + s sin(2 N q)`, rad, and its second derivative, rad/s2."""
         ratio, c, s = theta.reshape(-1, 3).T
         return angle_wave(scene, 2.0 * ratio, c, s)
-
-    def explain_lack(self, scene: Scene) -> Message | None:
-        """A reason where the recording has no joint positions."""
-        return without_joints(scene)
 
     def explain_absence(self, scene: Scene) -> Message | None:
         """A reason where there are no joints, or none moves faster than 1e-3 rad/s."""

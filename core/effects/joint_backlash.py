@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from core.array import Array
-from core.effects.effect import Effect, Parameter
+from core.effects.effect import Parameter
 from core.effects.filters import derivative, low_pass
-from core.effects.joint_error import find_largest_joint, joint_count, joint_torque, true_motion, without_joints
-from core.effects.rigid_body import wrench_change
+from core.effects.joint_error import find_largest_joint, joint_count, joint_torque
 from core.effects.scene import Scene
 from core.effects.splines import smooth_by_splines
+from core.effects.transmission import Transmission
 from core.words.message import Message
 
 CONTACT_TORQUE = 1.0
@@ -21,7 +21,7 @@ AT_ONCE_S = 0.001
 """Crossing that takes no time."""
 
 
-class JointBacklash(Effect):
+class JointBacklash(Transmission):
     """True joints are `q - b s`, with b half the play per joint and s the side to which it leans, -1 to 1: `tanh(tau / tau_c)`, tau as the
     joints exert it, behind a lag; and it takes a while to cross (two equal lags).
 
@@ -30,10 +30,6 @@ class JointBacklash(Effect):
 
     id = "joint_backlash"
     title = Message.of("effect-joint-backlash-title")
-    stage = "kinematics"
-    only_adds = True
-    needs_motion = True
-    shakes_joints = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Half the play of each joint, rad, then the contact torque, N m, the lag of the load, s, and that of the side, s."""
@@ -43,14 +39,6 @@ class JointBacklash(Effect):
             Parameter("lag_s", "s", 0.02, 0.003, 0.1, 0.02),
             Parameter("crossing_s", "s", AT_ONCE_S, AT_ONCE_S, 0.1, 0.02),
         )
-
-    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """`w` plus what the payload asks more with joints at `q - b s`."""
-        return w + wrench_change(scene, true_motion(scene, *self.find_errors(scene, theta)))
-
-    def shake(self, scene: Scene, theta: Array) -> Array:
-        """The second derivative of `-b s`."""
-        return self.find_errors(scene, theta)[1]
 
     def find_errors(self, scene: Scene, theta: Array) -> tuple[Array, Array]:
         """(N, n) each, `-b s`, rad, averaged as the scene's windows show it, and its second derivative, rad/s2."""
@@ -68,10 +56,6 @@ class JointBacklash(Effect):
         """(N, n), N m, by which a joint is pushed to a side; here all of its load."""
         del scene, theta
         return load
-
-    def explain_lack(self, scene: Scene) -> Message | None:
-        """A reason where the recording has no joint positions."""
-        return without_joints(scene)
 
     def explain_absence(self, scene: Scene) -> Message | None:
         """A reason where there are no joints, or no joint's load goes from below -1 N m to above 1 N m."""

@@ -26,7 +26,6 @@ class JointElasticity(Effect):
     title = Message.of("effect-joint-elasticity-title")
     stage = "kinematics"
     only_adds = True
-    bears_shaking = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Compliance of each joint, rad/(N m), then the share of the inertia that swings and the damping ratio."""

@@ -14,7 +14,9 @@ import numpy as np
 from core.array import Array
 from core.effects.composition import let_shake
 from core.effects.effect import STAGES, Effect, Parameter
+from core.effects.joint_elasticity import JointElasticity
 from core.effects.scene import Scene
+from core.effects.transmission import Transmission
 from core.estimation.quadratic import find_bounded_minimum
 from core.gap.limits import sizes
 from core.gap.windows import PHI, Windows
@@ -115,14 +117,14 @@ class Problem:
         """(N, 6), the wrench w behind all effects."""
         ends = np.cumsum([free for _, free, _ in self._chain], dtype=int)
         chain = [(effect, theta[end - n : end] if x is None else x, end) for (effect, n, x), end in zip(self._chain, ends, strict=True)]
-        shakers = [(effect, values) for effect, values, _ in chain if effect.shakes_joints]
+        gears = [(effect, values) for effect, values, _ in chain if isinstance(effect, Transmission)]
         for effect, values, end in chain:
             if effect.only_adds:
-                key = b"added by " + effect.id.encode() + values.tobytes()
-                if effect.bears_shaking:
-                    key += b"".join(x.tobytes() for _, x in shakers)
+                key, springs = b"added by " + effect.id.encode() + values.tobytes(), isinstance(effect, JointElasticity)
+                if springs:
+                    key += b"".join(x.tobytes() for _, x in gears)
                 if key not in known:
-                    seen = let_shake(scene, (_shake(*shaker, scene, known) for shaker in shakers)) if effect.bears_shaking else scene
+                    seen = let_shake(scene, (_shake(*gear, scene, known) for gear in gears)) if springs else scene
                     known[key] = effect.wrench(seen, np.zeros_like(w), values)
                 w = w + known[key]
             else:
@@ -211,11 +213,11 @@ class Problem:
         return found[: len(beta)], np.clip(found[len(beta) :], self.lower, self.upper)
 
 
-def _shake(effect: Effect, theta: Array, scene: Scene, known: dict[bytes, Array]) -> Array:
+def _shake(gear: Transmission, theta: Array, scene: Scene, known: dict[bytes, Array]) -> Array:
     """(N, n), rad/s2, found once while the springs move."""
-    key = b"shaken by " + effect.id.encode() + theta.tobytes()
+    key = b"shaken by " + gear.id.encode() + theta.tobytes()
     if key not in known:
-        known[key] = effect.shake(scene, theta)
+        known[key] = gear.find_errors(scene, theta)[1]
     return known[key]
 
 

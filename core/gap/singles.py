@@ -167,7 +167,7 @@ def _fit_from_most(
         thetas = [*effect.starts(scene, residual), *effect.starts_beside(scene, windows.on_grid(best.residual), best.theta)]
         again = fit_all(windows, [Task((effect,), best, [theta]) for theta in thetas])
         found += again
-        if min(fit.chi_square for fit in again) >= best.chi_square:
+        if min((fit.chi_square for fit in again), default=np.inf) >= best.chi_square:
             break
     return found
 

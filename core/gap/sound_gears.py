@@ -8,6 +8,7 @@ from copy import copy
 from core.array import Array
 from core.effects.composition import Term
 from core.effects.joint_elasticity import JointElasticity
+from core.effects.transmission import Transmission
 from core.estimation.gears import SOFTEST_RAD_PER_NM, SoundGears
 from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import FitAll
@@ -39,7 +40,7 @@ def find_sound_gears(windows: Windows, nominal: EffectFit, singles: list[EffectF
         return None
     others = sorted((fit for fit in singles if fit.name != SoundGears.id), key=lambda fit: fit.chi_square)
     fit = _fit_beside(windows, nominal, [nominal, *others[:BESIDE]], fit_all)
-    shaking = [fit for fit in others[BESIDE:] if fit.effects[0].shakes_joints]  # on their springs such effects do much more
+    shaking = [fit for fit in others[BESIDE:] if isinstance(fit.effects[0], Transmission)]  # on their springs such effects do much more
     if shaking and (fit is None or find_left_share(nominal, fit) >= ONE_IS_ENOUGH):
         further = _fit_beside(windows, nominal, shaking, fit_all)
         fit = min((each for each in (fit, further) if each is not None), key=lambda fit: fit.chi_square, default=None)

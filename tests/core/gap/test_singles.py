@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from core.array import Array
 from core.effects.saturation_of_bridge import SaturationOfBridge
+from core.effects.scene import Scene
 from core.effects.sensor_saturation import SensorSaturation
 from core.gap.basis import basis_of
 from core.gap.fit_all import one_by_one
@@ -32,10 +34,28 @@ def clip_beams(W: Array, radius_m: float, beams: tuple[int, ...], share: float) 
     return np.asarray(gauges @ np.linalg.inv(to_gauges).T)
 
 
-def test_two_bridges_that_are_mostly_at_their_ends_are_found_from_what_the_first_fit_shows() -> None:
+def record_clipped(beams: tuple[int, ...], share: float) -> Windows:
     sound = record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(0))
     assert sound.wrench is not None
-    windows = Windows(basis_of(replace(sound, wrench=clip_beams(sound.wrench, 0.03, (0, 4), 0.6))))
+    return Windows(basis_of(replace(sound, wrench=clip_beams(sound.wrench, 0.03, beams, share))))
+
+
+def test_what_shows_no_start_any_more_is_not_fitted_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    windows, asked, find = record_clipped((0, 4), 0.6), [], SaturationOfBridge.starts
+
+    def start(effect: SaturationOfBridge, scene: Scene, residual: Array) -> list[Array]:  # by itself, and from most rows; then not again
+        asked.append(residual)
+        return find(effect, scene, residual) if len(asked) < 3 else []
+
+    monkeypatch.setattr(SaturationOfBridge, "starts", start)
+    monkeypatch.setattr(SaturationOfBridge, "starts_beside", lambda *_: [])
+    found = fit_singly(windows, [SensorSaturation()], one_by_one)
+    assert len(asked) == 3
+    assert isinstance(found.fits[0].effects[0], SaturationOfBridge)
+
+
+def test_two_bridges_that_are_mostly_at_their_ends_are_found_from_what_the_first_fit_shows() -> None:
+    windows = record_clipped((0, 4), 0.6)
     found = fit_singly(windows, [SensorSaturation()], one_by_one)
     best = min(found.fits, key=lambda fit: fit.chi_square)
     assert isinstance(best.effects[0], SaturationOfBridge)
