@@ -14,6 +14,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
+from matplotlib.gridspec import GridSpec
 
 from core.array import Array
 from core.estimation.segments import Segment
@@ -24,6 +25,8 @@ from core.words.ticks import mark_ticks
 from core.words.wording import Wording
 
 POINTS = 2000  # of a line
+LEFT_IN, RIGHT_IN, TOP_IN, BOTTOM_IN, BETWEEN_IN = 0.8, 0.1, 0.3, 0.45, 0.85
+"""Room for numbers and names round the axes of a figure, and between its columns."""
 
 # stand-ins that become variables of the style sheet, so that a picture follows the page's light and dark
 COLOURS = {"ink": "#0a0a01", "muted": "#0a0a02", "rule": "#0a0a03", "band": "#0a0a04", "alarm": "#0a0a05"}
@@ -33,7 +36,6 @@ STYLE: dict[Any, Any] = {
     "ytick.color": RULE, "xtick.labelcolor": INK, "ytick.labelcolor": INK, "text.color": INK, "axes.linewidth": 0.8,
     "axes.spines.top": False, "axes.spines.right": False, "axes.titlesize": 9, "axes.titlelocation": "left",
     "lines.linewidth": 1.1, "lines.solid_joinstyle": "round", "path.simplify": True,
-    "figure.constrained_layout.use": True,
     "axes.formatter.useoffset": False, "axes.ymargin": 0.1, "axes.xmargin": 0.0,
 }  # fmt: skip
 
@@ -46,7 +48,7 @@ def wrench_chart(t: Array, measured: Array, reconstructed: Array, noise_std: Arr
     """
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(10.4, 7.4))
-        grid = figure.add_gridspec(6, 2, height_ratios=[3, 1.15] * 3)
+        grid = _lay_out(figure, 6, 2, [3, 1.15] * 3)
         for k, (channel, unit) in enumerate(zip(CHANNELS, UNITS, strict=True)):
             row, column = 2 * (k % 3), k // 3
             upper = figure.add_subplot(grid[row, column])
@@ -69,7 +71,7 @@ def rotation_chart(t: Array, motion: Motion, measured: Array, reconstructed: Arr
     """
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(10.4, 5.6))
-        axes = figure.subplots(3, len(rotating), sharex="col", squeeze=False)
+        axes = _lay_out(figure, 3, len(rotating)).subplots(sharex="col", squeeze=False)
         for column, part in enumerate(rotating):
             axis = part.axis or "x"
             k = "xyz".index(axis)
@@ -96,7 +98,7 @@ def distance_chart(t: Array, distance_m: Array, limit_m: float, words: Wording) 
     """
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(10.4, 2.5))
-        axes = figure.add_subplot()
+        axes = figure.add_subplot(_lay_out(figure, 1, 1)[0, 0])
         _line(axes, t, distance_m, INK)
         low = np.where(distance_m < limit_m, distance_m, np.nan)
         if np.isfinite(low).any():
@@ -123,7 +125,7 @@ def gap_chart(gaps: Mapping[str, tuple[float, float]], floor: float, words: Word
         floor: noise alone.
     """
     with mpl.rc_context(STYLE):
-        figure = Figure(figsize=(10.4, 0.5 + 0.46 * len(gaps)))
+        figure = Figure(figsize=(10.4, 0.5 + 0.46 * len(gaps)), layout="constrained")
         axes = figure.add_subplot()
         top = max(2.0 * floor, *(max(pair) for pair in gaps.values()))
         for row, (before, after) in enumerate(gaps.values()):
@@ -153,7 +155,7 @@ def overlay_chart(t: Array, measured: Array, before: Array, after: Array, noise_
     """
     changed = not np.allclose(before, after, rtol=1e-9, atol=1e-12)
     with mpl.rc_context(STYLE):
-        figure = Figure(figsize=(10.4, 4.6))
+        figure = Figure(figsize=(10.4, 4.6), layout="constrained")
         grid = figure.add_gridspec(2, len(channels), height_ratios=[3, 1.4])
         for column, k in enumerate(channels):
             upper = figure.add_subplot(grid[0, column])
@@ -169,6 +171,23 @@ def overlay_chart(t: Array, measured: Array, before: Array, after: Array, noise_
             lower.set_ylabel(words.say("report-gap-rest-axis") if column == 0 else "")
             lower.set_xlabel("t, s")
         return _svg(figure, "overlay", words.say("report-gap-overlay"), words)
+
+
+def _lay_out(figure: Figure, rows: int, columns: int, heights: Sequence[float] | None = None) -> GridSpec:
+    """A grid of axes with room that is known beforehand: to measure every label first takes as long as to draw."""
+    width, height = figure.get_size_inches()
+    each = (width - LEFT_IN - RIGHT_IN - (columns - 1) * BETWEEN_IN) / columns
+    return figure.add_gridspec(
+        rows,
+        columns,
+        left=LEFT_IN / width,
+        right=1.0 - RIGHT_IN / width,
+        top=1.0 - TOP_IN / height,
+        bottom=BOTTOM_IN / height,
+        wspace=BETWEEN_IN / each,
+        hspace=0.24,
+        height_ratios=heights,
+    )
 
 
 def _draw_simulation(upper: Axes, lower: Axes, t: Array, values: Array, sigmas: Array, *, dashed: bool) -> None:

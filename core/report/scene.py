@@ -11,6 +11,7 @@ from html import escape
 from itertools import chain
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.array import Array
 from core.cell.cell import Box, Cell
@@ -88,8 +89,9 @@ def scene(
     standing = standing_faces(cell)
     things = [(name, "zone" if name in zones else "obstacle", [*chain.from_iterable(parts)]) for name, parts in standing.items()]
     seen = _near(things, cell.robot.base.translation, _reach(robot))
-    view = _least_hidden(seen, body)
-    behind, before = _split(seen, body, view)
+    sides = Sides.of(seen, body)
+    view = _least_hidden(seen, sides, body)
+    behind, before = _split(sides, view)
     parts = [*behind, *_solids(arm, load, view), *before, *_labels(seen, body, view)]
     parts += _sensor_axes(sensor, view) + _throw(start, payload_box, sensor, view, words)
     parts += _gravity(cell, view)
@@ -119,43 +121,66 @@ def _near(things: list[Thing], base: Array, reach: float) -> list[Thing]:
     return near
 
 
-def _normal(face: Array) -> Array:
-    """(3,), Newell's normal, outwards; its length is twice the area."""
-    following = np.roll(face, -1, axis=0)
-    return np.asarray(np.cross(face, following).sum(axis=0))
+@dataclass(frozen=True)
+class Sides:
+    """Faces of what stands around the robot, and on which side of each the robot is.
+
+    Args:
+        names: what each is drawn as.
+        normals: (n, 3), outwards; as long as twice the area.
+        above, below: (n,), share of the body's points on the outer side of each face's plane, and on the inner one.
+    """
+
+    faces: Faces
+    names: list[str]
+    normals: Array
+    above: Array
+    below: Array
+
+    @classmethod
+    def of(cls, things: list[Thing], body: Array) -> Sides:
+        """Those with an area; body (k, 3)."""
+        named = [(kind, face) for _, kind, faces in things for face in faces]
+        normals = _normals([face for _, face in named])
+        flat = np.linalg.norm(normals, axis=1) < 1e-9
+        named, normals = [each for each, no_area in zip(named, flat, strict=True) if not no_area], normals[~flat]
+        first = np.array([face[0] for _, face in named]).reshape(-1, 3)
+        side = body @ normals.T - (first * normals).sum(axis=1)
+        return cls([face for _, face in named], [kind for kind, _ in named], normals, (side > 0).mean(axis=0), (side < 0).mean(axis=0))
+
+    def hide(self, view: Projection) -> NDArray[np.bool_]:
+        """(n,), which ones stand between the viewer and the body: the two are on different sides of the plane."""
+        towards = self.normals @ view.axes[2]
+        return np.asarray(np.where(towards > 0, self.above, np.where(towards < 0, self.below, 0.0)) < 0.5)
 
 
-def _hides(face: Array, body: Array, view: Projection) -> bool:
-    """Whether a face stands between the viewer and the body (k, 3): the two are on different sides of its plane."""
-    normal = _normal(face)
-    side = (body - face[0]) @ normal
-    return bool(np.mean(side * (view.axes[2] @ normal) > 0) < 0.5)
+def _normals(faces: Faces) -> Array:
+    """(n, 3), Newell's normals, outwards; their lengths are twice the areas."""
+    most = max(map(len, faces), default=1)
+    # a last corner that is repeated adds nothing to the sum
+    corners = np.array([[*face, *[face[-1]] * (most - len(face))] for face in faces]).reshape(-1, most, 3)
+    return np.asarray(np.cross(corners, np.roll(corners, -1, axis=1)).sum(axis=1))
 
 
-def _least_hidden(things: list[Thing], body: Array) -> Projection:
+def _least_hidden(things: list[Thing], sides: Sides, body: Array) -> Projection:
     """The view with the least area of faces before the body."""
     points = np.concatenate([body, *[np.concatenate(faces) for _, _, faces in things]])
     low, high = points.min(axis=0), points.max(axis=0)
 
     def hidden(azimuth: float) -> float:
         view = Projection(azimuth, low, high)
-        faces = [face for _, _, shape in things for face in shape if _hides(face, body, view)]
-        return sum(abs(float(view.axes[2] @ _normal(face))) for face in faces)
+        return float(np.abs(sides.normals @ view.axes[2])[sides.hide(view)].sum())
 
     return Projection(min(AZIMUTHS, key=hidden), low, high)
 
 
-def _split(things: list[Thing], body: Array, view: Projection) -> tuple[list[str], list[str]]:
+def _split(sides: Sides, view: Projection) -> tuple[list[str], list[str]]:
     """Obstacles and zones as polygons: those behind the robot, and those before it."""
     behind: list[tuple[float, str]] = []
     before: list[tuple[float, str]] = []
-    for _, kind, faces in things:
-        for face in faces:
-            if np.linalg.norm(_normal(face)) < 1e-9:
-                continue
-            front = _hides(face, body, view)
-            name = f"{kind} front" if front else kind
-            (before if front else behind).append((float(face.mean(axis=0) @ view.axes[2]), _polygon(face, view, name)))
+    for kind, face, front in zip(sides.names, sides.faces, sides.hide(view), strict=True):
+        name = f"{kind} front" if front else kind
+        (before if front else behind).append((float(face.mean(axis=0) @ view.axes[2]), _polygon(face, view, name)))
     return [part for _, part in sorted(behind)], [part for _, part in sorted(before)]
 
 
@@ -163,15 +188,14 @@ def _solids(arm: Faces, load: Faces, view: Projection) -> list[str]:
     """Robot and payload box, the farthest face first."""
     drawn: list[tuple[float, str]] = []
     for name, faces, shade in (("arm", arm, (105, 205)), ("load", load, (70, 150))):
-        for face in faces:
-            normal = _normal(face)
-            size = np.linalg.norm(normal)
-            if size < 1e-12 or normal @ view.axes[2] <= 0:
-                continue
-            light = 0.5 + 0.5 * float(normal @ LIGHT) / size
-            grey = round(shade[0] + (shade[1] - shade[0]) * light)
-            colour = f"rgb({grey},{grey},{grey})"
-            drawn.append((float(face.mean(axis=0) @ view.axes[2]), _polygon(face, view, name, colour)))
+        normals = _normals(faces)
+        size = np.linalg.norm(normals, axis=1)
+        shown = (size > 1e-12) & (normals @ view.axes[2] > 0)
+        light = 0.5 + 0.5 * (normals @ LIGHT) / np.maximum(size, 1e-12)
+        grey = np.rint(shade[0] + (shade[1] - shade[0]) * light).astype(int)
+        for k in np.flatnonzero(shown):
+            colour = f"rgb({grey[k]},{grey[k]},{grey[k]})"
+            drawn.append((float(faces[k].mean(axis=0) @ view.axes[2]), _polygon(faces[k], view, name, colour)))
     return [part for _, part in sorted(drawn)]
 
 

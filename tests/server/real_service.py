@@ -29,6 +29,8 @@ LINKED_S = 0.3
 """A console whose newest stamp is older has no line."""
 AGAIN_S = 0.5
 """Between two attempts to open a lease again."""
+FIRST_PAUSE_S, LONGER, LONGEST_PAUSE_S = 0.02, 1.3, 0.3
+"""Between two looks at what is waited for."""
 
 
 def free_port() -> int:
@@ -261,11 +263,12 @@ def is_late(run: dict[str, Any]) -> bool:
 
 
 def wait_for(condition: Callable[[], object], what: str, now: Callable[[], object] = lambda: "", seconds: float = 60) -> None:
-    """Polls; fails with what it waited for."""
-    until = time.monotonic() + seconds
+    """Polls, less often as it takes longer, so that asking does not slow what is waited for; fails with what it waited for."""
+    until, pause_s = time.monotonic() + seconds, FIRST_PAUSE_S
     while not condition():
         assert time.monotonic() < until, f"waited {seconds:g} s for {what}: {now()}"
-        time.sleep(0.05)
+        time.sleep(pause_s)
+        pause_s = min(LONGER * pause_s, LONGEST_PAUSE_S)
 
 
 @contextmanager
