@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from hashlib import sha256
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -116,7 +117,6 @@ def draw(seed: int, cells: Sequence[str] = CELLS) -> DrawnTrial:
     return DrawnTrial(cell, plans[payload], sealed, background, tuple(faults))
 
 
-@cache
 def plan_each_payload(name: str) -> tuple[Cell, dict[str, Plan]]:
     """A cell with one plan for each of its payloads; the trials of a process, and the processes it forks, share them.
 
@@ -127,7 +127,12 @@ def plan_each_payload(name: str) -> tuple[Cell, dict[str, Plan]]:
         BadInput: the cell cannot be used, or knows no payload.
         Refused: the procedure cannot be planned there.
     """
-    cell = load_cell(find_cell(name))
+    return _plan_each_payload(find_cell(name))
+
+
+@cache
+def _plan_each_payload(folder: Path) -> tuple[Cell, dict[str, Plan]]:
+    cell = load_cell(folder)
     if not cell.payloads:
         raise BadCell(cell.locate("payloads"), "trial-no-payload")
     robot = RobotModel.of_cell(cell)

@@ -1,6 +1,6 @@
 """Table 3: stated uncertainties. Ours cover the truth; the paper's, on the same runs, do not.
 
-Fifteen of the thousand estimations of `python -m bench.coverage`; the bounds are what chance allows for so few.
+Eight of the thousand estimations of `python -m bench.coverage`; the bounds are what chance allows for so few.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from scipy.stats import binom, chi2
 
 from bench.coverage import INTERVAL, Trial, varied
 
-COUNT = 15
+COUNT = 8
 
 
 @pytest.fixture(scope="module")

@@ -58,6 +58,7 @@ def go(at: Tablet, section: str) -> Page:
     return at.page
 
 
+@pytest.mark.thorough
 def test_every_section_can_be_read_and_hit(admin: Tablet, person: Console, webhook: None) -> None:
     make_account(person, "carla", "operator")
     person.http.post("/api/keys", json={"name": "reader", "role": "viewer"})

@@ -199,6 +199,7 @@ def test_the_link_is_shown_before_the_release(planned: Tablet) -> None:
     expect(told.locator(".abnormal")).to_have_count(0)
 
 
+@pytest.mark.thorough
 def test_a_poor_link_is_warned_of_before_the_release_and_refuses_nothing(service: RealService, browser: Browser, person: Console) -> None:
     figures = {
         "round_trip_p50_s": 0.045,

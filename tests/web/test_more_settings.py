@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from playwright.sync_api import Browser, expect
 
 from server.service import utc_now
@@ -16,6 +17,7 @@ from tests.web.screens import signed_in
 PLANNED_MS = 180_000
 
 
+@pytest.mark.thorough
 def test_motions_for_joint_torques_without_the_payload_are_planned_and_the_plan_says_to_take_it_off(
     service: RealService, browser: Browser, person: Console
 ) -> None:

@@ -17,9 +17,11 @@ PLACES = {
     "gap/nonsense": "Page not found", "trials/nonsense": "Page not found", "cells/nonsense": "Page not found",
     "constructor": "Page not found", "%": "Page not found",
 }  # fmt: skip
+SHORT = ("nonsense", "runs/nonsense", "constructor", "%")
+"""Of which the rest are the same in other folders."""
 
 
-@pytest.mark.parametrize("place", PLACES)
+@pytest.mark.parametrize("place", [each if each in SHORT else pytest.param(each, marks=pytest.mark.thorough) for each in PLACES])
 def test_what_is_not_there_is_told_with_a_way_on(service: RealService, browser: Browser, place: str) -> None:
     with signed_in(service, browser) as at:
         show(at, place)

@@ -43,6 +43,7 @@ def unsettled(service: RealService, first: str) -> str:
     return diagnosed_run(service, first, verdict="ambiguous", effects=effects, indistinguishable=[tie], next_experiment=SWINGS)
 
 
+@pytest.mark.thorough
 def test_an_operator_is_led_from_what_is_open_to_the_diagnosis_of_both_recordings(
     service: RealService, browser: Browser, first: str, unsettled: str
 ) -> None:

@@ -5,6 +5,7 @@ That it stands out in the cell itself is drawn on the graphics card: `tests/serv
 
 from __future__ import annotations
 
+import pytest
 from playwright.sync_api import Browser, expect
 
 from tests.server.real_service import Console, RealService
@@ -14,6 +15,7 @@ from tests.web.looks import look
 from tests.web.screens import signed_in
 
 
+@pytest.mark.thorough
 def test_what_is_in_the_way_is_named_beside_the_cell_until_the_next_plan(service: RealService, browser: Browser) -> None:
     person = Console(service)
     with signed_in(service, browser) as at:

@@ -6,6 +6,7 @@ from io import BytesIO
 from typing import Any
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 from PIL import Image
 from playwright.sync_api import Browser, Page, expect
@@ -34,6 +35,7 @@ def test_the_box_that_is_typed_is_drawn_while_it_is_typed_and_nothing_of_visers_
         assert not any(each.is_visible() for each in floating.all())
 
 
+@pytest.mark.thorough
 def test_a_view_is_turned_by_its_button_and_stays_so_from_the_plan_into_the_run(
     service: RealService, browser: Browser, person: Console
 ) -> None:
@@ -70,6 +72,7 @@ def test_a_picture_that_takes_seconds_keeps_the_page_from_nothing(service: RealS
         assert at.page.evaluate("() => window.beats") > DRAWING_MS / 50 / 4, "beats while the viewer draws"
 
 
+@pytest.mark.thorough
 def test_a_pinch_zooms_the_picture_and_never_the_page(service: RealService, browser: Browser) -> None:
     with signed_in(service, browser, drawn=True) as at:
         page = at.page

@@ -122,7 +122,7 @@ def move_mouse(page: Page, what: Locator, right_m: float, up_m: float, view: str
     page.mouse.up()
 
 
-@pytest.mark.parametrize("kind", ["Box", "Cylinder", "Sphere"])
+@pytest.mark.parametrize("kind", ["Box", *(pytest.param(kind, marks=pytest.mark.thorough) for kind in ("Cylinder", "Sphere"))])
 def test_a_zone_is_drawn_with_a_finger_saved_deleted_and_brought_back(kind: str, at: Tablet, service: RealService):
     page = at.page
     at.tap(page.get_by_role("group", name="New zone").get_by_role("button", name=kind))

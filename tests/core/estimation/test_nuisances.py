@@ -38,8 +38,8 @@ def rms_of_z(condition: Condition, seeds: range) -> np.ndarray:
     [
         CLEAN,
         Condition(rate_hz=250.0, zero_std_rad=8.7e-4),
-        Condition(rate_hz=250.0, gain_std=0.01),
-        Condition(rate_hz=250.0, mount_std_rad=8.7e-3),
+        pytest.param(Condition(rate_hz=250.0, gain_std=0.01), marks=pytest.mark.thorough),
+        pytest.param(Condition(rate_hz=250.0, mount_std_rad=8.7e-3), marks=pytest.mark.thorough),
     ],
     ids=["nothing", "zeros", "gains", "mounting"],
 )

@@ -54,7 +54,7 @@ def test_of_a_motion_that_is_logged_slowly_the_rows_at_rest_tell_the_payload(rat
     assert answer.segments[-1].stop == len(made.recording)
 
 
-@pytest.mark.parametrize("late_s", [0.08, 0.3, -0.1])
+@pytest.mark.parametrize("late_s", [0.08, *(pytest.param(late_s, marks=pytest.mark.thorough) for late_s in (0.3, -0.1))])
 def test_where_the_wrench_is_late_or_early_only_rows_that_have_long_been_at_rest_are_used(late_s: float) -> None:
     off = []
     for seed in range(3):

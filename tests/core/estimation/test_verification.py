@@ -33,6 +33,7 @@ def test_every_rotation_is_predicted_from_the_rest_as_well_as_noise_allows(recor
         assert (found[0][phase].expected >= found[0][phase].noise).all()
 
 
+@pytest.mark.thorough
 def test_something_that_happens_in_one_motion_alone_shows_where_that_motion_is_left_out(recordings: list[Recording]) -> None:
     recording = recordings[0]
     assert recording.wrench is not None and recording.phase is not None

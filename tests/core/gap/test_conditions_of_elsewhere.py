@@ -55,6 +55,7 @@ def test_a_walk_is_known_by_five_short_holds(condition: Condition, wanders: bool
         assert wanders_in_holds(scene, windows.on_grid(nominal.residual)) == wanders
 
 
+@pytest.mark.thorough
 def test_a_walk_is_a_drift_though_it_follows_the_run_by_many_parameters() -> None:
     few = [effect for effect in library() if effect.id in ("sensor_drift", "sensor_offset_step", "sensor_creep")]
     evidence = gather(Windows(basis_of(make(Condition(walk_n=0.04), 0).recording)), few, one_by_one)

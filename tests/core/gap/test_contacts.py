@@ -223,6 +223,7 @@ def test_what_contacts_and_an_effect_explain_is_no_surer_than_that_effect_is_of_
         assert touched.unknown >= doubt
 
 
+@pytest.mark.thorough
 def test_what_may_explain_the_rest_is_told_with_each_of_its_names(pushed_and_tilted: Recording, monkeypatch: pytest.MonkeyPatch) -> None:
     def join_in_two_minds(singles: Singles, fit_all: FitAll) -> Evidence:
         rest = join(singles, fit_all)
@@ -285,6 +286,7 @@ def test_rows_of_one_push_are_one_stretch_however_far_apart_they_are(apart_s: fl
     assert find_stretches(apart_s * np.arange(120), size) == [slice(40, 57)]
 
 
+@pytest.mark.thorough
 def test_where_no_single_effect_explains_what_contacts_leave_no_several_are_sought(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     def join_never(singles: Singles, fit_all: FitAll) -> Evidence:
         pytest.fail(f"{len(singles.fits)} effects were joined")

@@ -49,6 +49,7 @@ def ur5() -> Recording:
     return Recording(t=t, gravity=GRAVITY, wrench=wrench, orientation=turned(t).as_matrix(), position=position)
 
 
+@pytest.mark.thorough
 def test_a_hand_on_the_tool_is_named_with_its_time_and_the_payload_is_that_of_the_rest() -> None:
     # the readings themselves leave those of the untouched run from 0.60 s on, and are back at 4.15 s
     diagnosis = diagnose(kuka("3-vibrations-contact"))
@@ -78,7 +79,8 @@ def test_blows_of_a_hammer_are_a_vibration_with_the_frequency_that_their_author_
     assert vibration.parameters["frequency_hz"].value == pytest.approx(12.0, abs=0.3)
 
 
-@pytest.mark.parametrize("effects", [RIVALS, pytest.param(library(), marks=pytest.mark.thorough)], ids=["rivals", "whole library"])
+@pytest.mark.thorough
+@pytest.mark.parametrize("effects", [RIVALS, library()], ids=["rivals", "whole library"])
 def test_pushes_by_hand_in_a_moving_arm_are_named_and_the_quiet_parts_are_not(effects: tuple[Effect, ...]) -> None:
     recording = ur5()
     diagnosis = diagnose(recording, effects)

@@ -56,6 +56,7 @@ def test_a_second_cause_that_matters_by_itself_is_sought_however_little_of_the_g
     assert evidence.best.name == "base_tilt+sensor_drift"
 
 
+@pytest.mark.thorough
 def test_of_several_effects_at_once_each_has_its_smaller_shape_where_that_says_as_much() -> None:
     """A gain beside a tilt: whether it pulls and pushes alike need not be fitted, and would cost what tells it from a curve."""
     tilted = record(run_of(repetitions=1), payload("steel_block"), np.random.default_rng(0), Imperfections(tilt_rad=(0.03, -0.02)))

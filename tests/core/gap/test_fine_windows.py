@@ -46,6 +46,7 @@ def test_a_tool_that_rings_at_11_hz_is_named_though_the_usual_windows_say_that_i
     assert diagnosis.gap is not None and diagnosis.gap.before > GAP
 
 
+@pytest.mark.thorough
 def test_where_no_effect_explains_what_rings_the_windows_stay(ringing: Recording) -> None:
     few = [effect for effect in EFFECTS if effect.id != "tool_flexibility"]
     _, evidence = examine(ringing, few, fit_all=one_by_one)

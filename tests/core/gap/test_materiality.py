@@ -36,6 +36,7 @@ def examined(reference: InertialParameters | None) -> tuple[str, Evidence, set[s
     return diagnosis.verdict, evidence, beside
 
 
+@pytest.mark.thorough
 def test_a_reference_that_is_off_by_far_more_than_the_gap_is_doubted_all_the_same() -> None:
     _, true = near_a_magnet()
     verdict, _, beside = examined(InertialParameters(1.3 * true.phi))

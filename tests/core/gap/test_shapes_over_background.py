@@ -285,6 +285,7 @@ def slide(run: Run, axis: Array, half_m: float, dry: float) -> Array:
     return np.hstack((f - 0.5 * field, np.cross(at, f) - np.cross(middle, 0.5 * field)))
 
 
+@pytest.mark.thorough
 def test_knocks_are_sought_along_the_slide_that_was_found_without_them(run: Run) -> None:
     recording, _ = recorded(run, 5)
     axis, half_m, dry = np.array([0.6, 0.64, 0.48]), 0.004, 3.5

@@ -73,6 +73,7 @@ def held(evidence: Evidence) -> list[str]:
     return [term.effect.id for term in evidence.windows.held]
 
 
+@pytest.mark.thorough
 def test_a_stiff_arm_swings_faster_than_is_looked_at() -> None:
     windows = Windows(basis_of(moved(STIFF)))
     assert gap_of(windows, fit_nominal(windows)) < 1.01
@@ -165,6 +166,7 @@ def test_gears_that_were_found_beside_less_give_way_to_those_that_show_beside_se
     assert hold_gears(windows, found).held == (found,)
 
 
+@pytest.mark.thorough
 def test_gears_of_which_none_gives_are_none() -> None:
     windows = Windows(basis_of(moved(SOUND, LOST)))
     nominal = fit_nominal(windows)
@@ -223,6 +225,7 @@ def test_gears_that_were_found_beside_one_effect_give_way_to_those_that_show_bes
     assert find(good) is None
 
 
+@pytest.mark.thorough
 def test_no_two_effects_are_sought_where_the_gap_hides_behind_the_noise() -> None:
     gears = Term(JointElasticity(), np.array([*[1.0 / 24e3] * 6, 1.0, 0.05]))
     windows = hold_gears(Windows(basis_of(moved(SOUND, replace(LOST, change_kg=-0.004)))), gears)
@@ -257,6 +260,7 @@ def test_effects_are_begun_anew_with_gears_unless_the_gap_hides_behind_the_noise
     assert (len(tasks) > 1) == begun_anew
 
 
+@pytest.mark.thorough
 def test_springs_that_lose_are_sought_as_a_change_of_gears_that_are_always_on() -> None:
     gears = Term(JointElasticity(), np.array([*[4e-5] * 6, 1.0, 0.1]))
     windows = hold_gears(Windows(basis_of(moved(SOUND))), gears)

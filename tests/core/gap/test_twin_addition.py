@@ -93,6 +93,7 @@ def test_the_entries_have_the_planted_sizes_and_say_where_they_come_from(complet
     assert delay.gap_after < 1.05 < delay.gap_before
 
 
+@pytest.mark.thorough
 def test_what_a_diagnosis_keeps_is_what_a_fit_of_its_own_finds(completed: Cell, diagnosed: str) -> None:
     kept = add_found(NOMINAL, completed, Diagnosis.model_validate_json(diagnosed), "base_tilt+time_delay", NOW)
     for found in kept.effects:
@@ -137,6 +138,7 @@ def test_the_gap_between_the_recording_and_the_completed_twin_is_gone(faulty: Re
     assert set(after.twin) == {"time_delay", "base_tilt"}
 
 
+@pytest.mark.thorough
 def test_the_twins_own_run_shows_what_was_planted(faulty: Recording, simulated: Recording) -> None:
     assert faulty.wrench is not None and simulated.wrench is not None
     smooth = np.ones(25) / 25  # the two differ in how noise is made; means of 25 ms are below it

@@ -97,6 +97,7 @@ def test_brute_force_tells_what_can_be_solved_from_what_cannot() -> None:
     assert search.answer("z-").poses == 0
 
 
+@pytest.mark.thorough
 def test_a_refusal_is_confirmed_only_when_it_blames_the_right_axis() -> None:
     true = judge_refusal(low_cell(), "no room", ("z-",), 0.0, candidates=100)
     false = judge_refusal(low_cell(), "no room", ("x-",), 0.0, candidates=100)

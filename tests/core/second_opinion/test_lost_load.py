@@ -70,6 +70,7 @@ def one_by_one(cell: Cell, box: Box, sensor: Frames, every: int) -> float:
 BOX = Box(size_m=(0.06, 0.1, 0.08), pose=Pose(xyz_m=(0.02, 0.0, 0.05), rpy_rad=(0.2, 0.4, 0.0)))
 
 
+@pytest.mark.thorough
 @settings(max_examples=8, deadline=None)
 @given(st.integers(0, 2**32 - 1))
 def test_the_flight_nearest_to_a_round_zone_is_found_as_one_by_one(seed: int) -> None:

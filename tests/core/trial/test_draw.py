@@ -11,10 +11,13 @@ from core.cell.folder import find_cell
 from core.errors import BadCell
 from core.trial.draw import CELLS, draw
 
+UR5E = "ur5e_line"
+"""Its plans serve all of these tests."""
+
 
 def test_the_same_seed_plants_the_same_and_its_seal_holds():
-    drawn = draw(11)
-    assert draw(11).sealed.hash == drawn.sealed.hash
+    drawn = draw(11, [UR5E])
+    assert draw(11, [UR5E]).sealed.hash == drawn.sealed.hash
     assert drawn.sealed.model_copy(update={"size": drawn.sealed.size + 1e-6}).hash != drawn.sealed.hash
 
 
@@ -28,8 +31,8 @@ def test_trials_are_of_every_kind_in_both_cells():
 
 
 def test_they_are_drawn_from_the_cells_that_are_asked_for_by_name_or_folder():
-    folder = str(find_cell("ur5e_line"))
-    assert {draw(seed, [folder]).sealed.cell for seed in range(8)} == {"ur5e_line"}
+    folder = str(find_cell(UR5E))
+    assert {draw(seed, [folder]).sealed.cell for seed in range(8)} == {UR5E}
 
 
 def test_a_cell_that_knows_no_payload_is_refused(tmp_path: Path):
@@ -42,6 +45,6 @@ def test_a_cell_that_knows_no_payload_is_refused(tmp_path: Path):
 
 
 def test_small_imperfections_of_an_arm_are_the_same_in_all_its_trials():
-    drawn = [draw(seed, ["lwr4_bench"]) for seed in range(3)]
+    drawn = [draw(seed, [UR5E]) for seed in range(3)]
     assert len({one.background[1:] for one in drawn}) == 1
     assert len({one.background[0] for one in drawn}) == 3

@@ -108,6 +108,7 @@ def test_from_one_file_to_the_imported_cell_with_what_the_description_lacks(engi
 RING = '<collision><origin xyz="0 0 0.24"/><geometry><sphere radius="0.3"/></geometry></collision>'
 
 
+@pytest.mark.thorough
 def test_pairs_that_are_left_out_are_proposed_declared_and_taken_back(engineer: TestClient, settings: Settings) -> None:
     path = begun(engineer, arm(links={1: link("link1", shapes=RING)}))
     proposed = put(engineer, path).json()
@@ -138,6 +139,7 @@ def unwatched(found: dict[str, Any]) -> list[tuple[str, str]]:
     return [(each["parameters"]["first"], each["parameters"]["second"]) for each in said]
 
 
+@pytest.mark.thorough
 def test_what_is_left_is_gone_and_so_is_what_nobody_goes_on_with(
     engineer: TestClient, settings: Settings, clock: Clock, signed_in: As
 ) -> None:

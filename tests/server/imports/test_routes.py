@@ -175,6 +175,7 @@ def test_what_cannot_be_told_is_asked_one_after_the_other_with_the_likely_answer
     assert operator.get(path).json()["answers"] == answers
 
 
+@pytest.mark.thorough
 def test_a_slip_is_named_and_mended_by_changing_what_was_understood(operator: TestClient, tmp_path: Path) -> None:
     path = send(operator, Path(exported(tmp_path, scale=1000.0)[0]))
     found = read(operator, path)
@@ -362,6 +363,7 @@ def test_the_payload_of_a_log_is_held_against_what_its_cell_needs(operator: Test
     assert found["requirement"]["adequacy"] is not None
 
 
+@pytest.mark.thorough
 def test_two_logs_of_joint_torques_with_and_without_the_payload_are_compared_as_the_command_line_does(
     operator: TestClient, tmp_path: Path
 ) -> None:

@@ -6,6 +6,8 @@ import json
 import time
 from hashlib import sha256
 
+import pytest
+
 from core.trial.draw import draw
 from core.trial.outcome import make_stopped_outcome
 from core.words.message import Message
@@ -15,6 +17,7 @@ from server.runner.trialling import _open_trials
 from tests.server.made_people import As
 
 
+@pytest.mark.thorough
 def test_seals_are_told_and_written_down_before_the_answers_and_trials_can_be_cancelled(signed_in: As) -> None:
     client = signed_in(Role.engineer)
     answer = client.post("/api/trials", json={"count": 1, "seed": 7})

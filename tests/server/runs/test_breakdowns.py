@@ -69,6 +69,7 @@ def test_a_disk_without_room_for_the_samples_stops_the_robot(service, console):
     cleared(console, run)
 
 
+@pytest.mark.thorough
 def test_a_database_that_is_locked_while_the_robot_moves_stops_nothing_and_loses_nothing(service, console):
     run = released(console, 1)
     console.wait(run, "Execute")

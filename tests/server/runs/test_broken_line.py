@@ -36,6 +36,7 @@ def test_a_lease_that_broke_is_opened_again_with_the_fence_it_had(far: Console):
     assert (found["holder"], found["fence"]) == ("account:operator", fence)
 
 
+@pytest.mark.thorough
 def test_a_run_that_was_held_for_a_silent_console_goes_on_after_one_tap_and_comes_through(far: Console):
     run = far.queue()
     far.wait(run, "Idle")

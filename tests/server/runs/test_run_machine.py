@@ -248,6 +248,6 @@ class Runs(RuleBasedStateMachine):
 def test_commands_do_what_the_table_says_in_whatever_order(plant: Plant) -> None:
     Runs.plant = plant
     careful = settings(
-        max_examples=25, stateful_step_count=25, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck)
+        max_examples=12, stateful_step_count=25, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck)
     )
     run_state_machine_as_test(Runs, settings=careful)

@@ -205,6 +205,7 @@ def check_a_stop_ends_the_motion(console: Console, run: str) -> None:
     assert recorded(console.service, run) > 0
 
 
+@pytest.mark.thorough
 def test_a_robot_whose_console_falls_silent_keeps_its_place_and_goes_on_along_the_plan_when_it_is_told_to(service, console):
     [late] = figures(console, LATE)
     run = console.queue(seed=2)
