@@ -44,6 +44,7 @@ def test_a_reference_that_is_off_by_far_more_than_the_gap_is_doubted_all_the_sam
     assert beside == {"payload_mismatch"}
 
 
+@pytest.mark.thorough
 def test_without_a_reference_nobody_can_know() -> None:
     verdict, *_ = examined(None)
     assert verdict == "no_gap"

@@ -89,6 +89,7 @@ def test_an_arm_that_swings_as_every_arm_does_has_no_gap() -> None:
     assert (evidence.windows.held[0].theta[:6] <= SOFTEST_RAD_PER_NM).all()
 
 
+@pytest.mark.thorough
 def test_what_is_wrong_besides_is_named_alone() -> None:
     verdict, evidence = examined(SOUND, LOST)
     assert (verdict, evidence.best.name) == ("explained", "payload_mass_change")
