@@ -9,7 +9,7 @@ from scipy.ndimage import median_filter, uniform_filter1d
 
 from core.array import Array
 from core.effects.effect import Finding, Parameter, Symptom, View
-from core.recording.held_readings import BLOCK, SIGNIFICANT, find_held_share
+from core.recording.held_readings import BLOCK, SIGNIFICANT, find_dead_bands, find_held_share
 from core.recording.recording import PAUSE_S, Recording
 from core.words.message import Message
 
@@ -32,7 +32,7 @@ class SampleDropout(Symptom):
 
     Rounded noise repeats a value by chance, each channel on its own: with share `p` held, a channel repeats with `e_i = p + (1 - p) c_i`
     and all six with `p + (1 - p) c_1 ... c_6`; both are counted, `p` is solved for. Material from 1 % of
-    the samples; a pause of the recorder loses none.
+    the samples; a pause of the recorder loses none, and what a bus has not sent because it changed too little is not held.
     """
 
     id = "sample_dropout"
@@ -50,6 +50,7 @@ class SampleDropout(Symptom):
         if recording.wrench is None or len(recording) < 2 * BLOCK:
             return None
         held, informative, longest = find_held_share(recording.wrench)
+        held = 0.0 if held and find_dead_bands(recording.wrench).any() else held
         lost = find_lost_share(recording.t)
         std = np.sqrt(np.array([held * (1 - held) + 1e-6, lost * (1 - lost) + 1e-6]) / np.array([max(informative, 1), len(recording)]))
         rows = informative if held >= lost else len(recording)

@@ -8,6 +8,7 @@ from core.array import Array
 from core.effects.channels import SUFFIXES, expand_to_channels, say_load
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.payload.channels import CHANNELS, UNITS
+from core.recording.held_readings import find_dead_bands
 from core.recording.recording import Recording
 from core.words.message import Message
 
@@ -15,10 +16,8 @@ COARSER = 1.4
 """Times the stated resolution; less is a question of rounding."""
 MATERIAL = 1.0
 """Steps, in standard deviations of a sample's noise."""
-RESTING = 0.5
-"""Share of rows that repeat the one before; noise on a grid as fine as half of its usual step repeats itself less often."""
-JUMPS = 20
-"""Fewer changes of a value do not tell a dead band, fewer holes between values no missing codes."""
+HOLES = 20
+"""Fewer holes between values do not tell missing codes."""
 OFTEN = 5
 """Times that a value has to be reached to say that its neighbour would have been, too."""
 AS_LARGE = 0.9
@@ -51,7 +50,7 @@ class SensorQuantization(Symptom):
         if recording.wrench is None:
             return None
         sensor = recording.sensor
-        step = np.array([_coarsest(channel, view.holds) for channel in recording.wrench.T])
+        step = np.maximum([_coarsest(channel, view.holds) for channel in recording.wrench.T], find_dead_bands(recording.wrench))
         stated = np.zeros(6) if sensor.resolution is None else np.asarray(sensor.resolution)
         noise = _noise(view.noise_std, sensor.noise_std, step)
         rounding = step / np.sqrt(12)
@@ -77,20 +76,9 @@ class SensorQuantization(Symptom):
 
 
 def _coarsest(channel: Array, holds: tuple[slice, ...]) -> float:
-    """The largest of the steps by which a channel (N,) was seen to move; 0 where none was seen."""
+    """The largest of the steps between values of a channel (N,); 0 where none was seen."""
     parts = (channel, *(channel[hold] for hold in holds))
-    return max(dead_band(channel), find_hole(channel), *(step_of(part) or 0.0 for part in parts))
-
-
-def dead_band(channel: Array) -> float:
-    """What a channel (N,) has to change by before it is seen to, the median of its changes; 0 where it does not rest between them.
-
-    At the ends of its range, where it may be clipped, it does not count.
-    """
-    inside = (channel > channel.min()) & (channel < channel.max())
-    changes = np.abs(np.diff(channel))[inside[1:] & inside[:-1]]
-    jumps = changes[changes > 0]
-    return float(np.median(jumps)) if JUMPS <= len(jumps) < (1.0 - RESTING) * len(changes) else 0.0
+    return max(find_hole(channel), *(step_of(part) or 0.0 for part in parts))
 
 
 def find_hole(channel: Array) -> float:
@@ -100,8 +88,8 @@ def find_hole(channel: Array) -> float:
     values, times = np.unique(rounded[np.diff(rounded, prepend=np.nan) != 0], return_counts=True)
     often = times >= OFTEN
     holes = np.sort(np.diff(values)[often[1:] & often[:-1]])
-    alike = holes[: max(0, len(holes) - JUMPS + 1)]
-    alike = alike[alike >= AS_LARGE * holes[JUMPS - 1 :]]
+    alike = holes[: max(0, len(holes) - HOLES + 1)]
+    alike = alike[alike >= AS_LARGE * holes[HOLES - 1 :]]
     return float(alike[-1]) if len(alike) else 0.0
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,12 @@ CHANCE = 0.01
 """A block tells nothing when fresh rows would repeat all channels with more than this chance."""
 BLOCK = 200
 """Samples over which the channels' own chance to repeat a value is taken as constant."""
+RESTING = 0.5
+"""Share of rows that repeat the one before; noise on a grid as fine as half of its usual step repeats itself less often."""
+ALONE, JUMPS = 2, 20
+"""Most channels that change in a row in which no reading of all of them has come; fewer changes do not tell a dead band."""
+SHARP, WIDER = 0.8, 2.5
+"""A dead band's changes begin at this share of their median at least, and at so many times the channel's smallest change."""
 LEAST = 0.15
 """Share of held rows from which a recording is looked at through its fresh readings alone."""
 
@@ -93,6 +99,28 @@ def find_held_share(wrench: Array) -> tuple[float, int, int]:
     shares[joint == 1.0] = 1.0  # where noise is seen elsewhere, a wrench that stands still altogether is held
     told |= joint == 1.0
     return float(shares[told].mean()), int(told.sum()) * BLOCK, longest
+
+
+def find_dead_bands(wrench: Array) -> Array:
+    """(6,), what each channel of `wrench` (N, 6) has to change by before it is seen to; 0 where it does not rest between its changes.
+
+    It never changes by less, while noise makes small changes as well. A bus may send all channels now and then, changed or not: then those
+    count that change by themselves, and much more than at other times, since rounded readings that are held seem to do that by a step.
+    """
+    alone = (wrench[1:] != wrench[:-1]).sum(axis=1) <= ALONE
+    in_turn = bool(find_held_share(wrench)[0])
+    return np.array([_find_dead_band(channel, alone, WIDER) if in_turn else _find_dead_band(channel, ..., 0.0) for channel in wrench.T])
+
+
+def _find_dead_band(channel: Array, rows: Any, wider: float) -> float:
+    """Of changes in these rows; at the ends of its range, where it may be clipped, they do not count."""
+    inside = (channel > channel.min()) & (channel < channel.max())
+    changes = np.where(inside[1:] & inside[:-1], np.abs(np.diff(channel)), 0.0)
+    jumps = changes[rows][changes[rows] > 0]
+    if not JUMPS <= len(jumps) < (1.0 - RESTING) * len(changes):
+        return 0.0
+    least, median = np.quantile(jumps, (0.1, 0.5))
+    return float(least) if least >= max(SHARP * median, wider * changes[changes > 0].min()) else 0.0
 
 
 def _solve_held_share(joint: float, e: Array) -> float:

@@ -10,6 +10,7 @@ import pytest
 from core.effects.sample_dropout import SampleDropout
 from core.effects.sensor_noise import SensorNoise
 from core.effects.sensor_quantization import SensorQuantization, find_hole, step_of
+from core.recording.held_readings import find_held_share
 from core.recording.recording import SensorDescription
 from tests.core.effects.synthetic_readings import SIX, recording, rounded, seen, times, view_of
 from tests.core.effects.synthetic_scene import NOISE, RESOLUTION
@@ -40,6 +41,25 @@ def test_a_channel_that_rests_until_it_has_moved_far_enough_has_coarse_steps() -
     assert finding is not None
     assert finding.material
     np.testing.assert_allclose(finding.theta, 0.8 * SIX, rtol=0.2)
+
+
+@pytest.mark.parametrize("step", [0.8, 1.2])
+def test_what_a_bus_sends_on_change_or_when_its_turn_comes_has_coarse_steps_and_is_not_held(step: float) -> None:
+    record = recording()
+    every = round(0.1 / float(np.diff(record.t[:2])[0]))
+    sent = record.wrench.copy()
+    for k in range(1, len(sent)):
+        if k % every:
+            sent[k] = np.where(np.abs(sent[k] - sent[k - 1]) >= step * SIX, sent[k], sent[k - 1])
+    assert find_held_share(sent)[0] > 0.3
+    bus = replace(record, wrench=sent)
+    finding = seen(SensorQuantization(), bus)
+    assert finding.material
+    shown = finding.theta > 0.5 * step * SIX
+    assert shown.sum() >= 4  # the others hardly change by so much
+    np.testing.assert_allclose(finding.theta[shown], (step * SIX)[shown], rtol=0.2)
+    np.testing.assert_allclose(finding.theta[~shown], RESOLUTION[~shown], rtol=0.1)
+    assert SampleDropout().observe(bus, view_of(record)) is None
 
 
 def test_a_number_with_few_digits_is_as_coarse_as_where_it_is_largest() -> None:

@@ -6,12 +6,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.signal import lfilter
 
 from core.effects.library import library
 from core.estimation.identification import identify_recording
 from core.gap.diagnosis import examine
 from core.gap.fit_all import one_by_one
-from core.recording.held_readings import drop_repeated_rows, find_fresh
+from core.recording.held_readings import drop_repeated_rows, find_dead_bands, find_fresh
 from core.recording.recording import Recording, take_rows
 from tests.synthetic import Imperfections, payload, record, run_of
 
@@ -95,6 +98,29 @@ def test_fresh_rows_are_kept_and_others_lie_between_them() -> None:
     line = np.arange(1000.0)
     assert (found.between @ line)[:996] == pytest.approx(line[:996])
     assert (found.between @ np.where(line % 5 == 0, 1.0, 0.0))[:996] == pytest.approx(1.0)
+
+
+@given(
+    share=st.floats(0.0, 0.99),
+    resolution=st.sampled_from([0.0, 0.3, 1.0, 3.0]),
+    at_a_time=st.sampled_from([1, 2, 3, 6]),
+    coloured=st.sampled_from([0.0, 0.9, 0.99]),
+    seed=st.integers(0, 99),
+)
+def test_noise_that_is_held_rounded_or_read_channel_by_channel_has_to_move_by_a_step_at_most(
+    share: float, resolution: float, at_a_time: int, coloured: float, seed: int
+) -> None:
+    """In multiples of the noise; a bus that sends so many channels at a time, in turn."""
+    rng = np.random.default_rng(seed)
+    read = lfilter([np.sqrt(1.0 - coloured**2)], [1.0, -coloured], rng.normal(size=(3000, 6)), axis=0)
+    if resolution:
+        read = np.round(read / resolution) * resolution
+    rows = np.arange(len(read))
+    fresh = rng.random(len(read)) >= share
+    turns = [fresh & (rows % (6 // at_a_time) == k // at_a_time) for k in range(6)]
+    last = [np.maximum.accumulate(np.where(turn, rows, 0)) for turn in turns]
+    wrench = np.column_stack([read[when, k] for k, when in enumerate(last)])
+    assert (find_dead_bands(wrench) <= 1.001 * resolution).all()
 
 
 def test_readings_that_are_all_fresh_are_left_alone() -> None:
