@@ -9,12 +9,14 @@ NODE_FITS := $(shell node -e 'const [a, b] = process.versions.node.split(".").ma
 CONSOLE := web/dist/index.html
 CONSOLE_SOURCES := $(shell find web/src core/words -type f ! -name '*.py*') web/index.html web/vite.config.ts web/tsconfig.json
 
-.PHONY: run test test-thorough check check-style check-types check-console bench wheel clean
+.PHONY: run test run-tests test-thorough check check-style check-types check-console bench wheel clean
 
 run: $(VENV)/.run $(if $(filter true,$(NODE_FITS)),$(CONSOLE),without-console)
 	$(BIN)/heft serve
 
-test: check $(CONSOLE) $(VENV)/.compiled
+test: check run-tests
+
+run-tests: $(CONSOLE) $(VENV)/.compiled
 	$(BIN)/python -m pytest -n 3 --dist worksteal --ignore=tests/web  # one more than cores: tests of the service wait much
 	$(BIN)/python -m pytest -n 2 --dist loadfile tests/web  # by themselves: browsers that draw without a graphics card keep the cores busy
 
