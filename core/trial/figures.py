@@ -23,6 +23,9 @@ DETERMINED = 0.1
 RIDGE = 0.05
 """Prior of the logistic fit: enough for a finite answer where hits and misses do not overlap."""
 
+DRAWN = 1000
+"""Sets of answers by which chance is told."""
+
 
 @dataclass(frozen=True)
 class Share:
@@ -99,6 +102,16 @@ def calibration_error(table: Sequence[Bin]) -> float:
     """Expected calibration error: mean distance of probability and share, weighted by answers; NaN of none."""
     total = sum(row.share.of for row in table)
     return sum(row.share.of * abs(row.mean - row.share.value) for row in table) / total if total else float("nan")
+
+
+def calibration_error_by_chance(probability: Array) -> tuple[float, float]:
+    """95 % range of the calibration error of so many answers that are right just as often as they say: few seem to be off by much.
+    NaN of none."""
+    if not len(probability):
+        return float("nan"), float("nan")
+    drawn = np.random.default_rng(0).uniform(size=(DRAWN, len(probability))) < probability
+    low, high = np.quantile([calibration_error(reliability(probability, hit)) for hit in drawn], (0.025, 0.975))
+    return float(low), float(high)
 
 
 def closure_ratios(outcomes: Sequence[TrialOutcome]) -> list[tuple[float, float]]:

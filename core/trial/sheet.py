@@ -17,6 +17,7 @@ from core.trial.figures import (
     Share,
     all_answers,
     calibration_error,
+    calibration_error_by_chance,
     closure_ratios,
     first_answers,
     fit_halfway_size,
@@ -155,7 +156,9 @@ def _figures(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:
     errors, covered = parameter_errors(outcomes)
     payload = payload_errors(outcomes)
     closures = [first / true for true, first in closure_ratios(outcomes)]
-    first, every = (reliability(*answers) for answers in (first_answers(outcomes), all_answers(outcomes, LEAST)))
+    probability, hit = first_answers(outcomes)
+    first, every = reliability(probability, hit), reliability(*all_answers(outcomes, LEAST))
+    low, high = map(partial(_number, words), calibration_error_by_chance(probability))
     alarms = Share.among(not right(o) for o in counted["none"])
     verdicts = Share.among(gives_right_verdict(o) for part in counted.values() for o in part)
     outright, single = (Share.among(map(answered, counted["single"])) for answered in (tells_truth_outright, names_truth_alone))
@@ -172,7 +175,7 @@ def _figures(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:
         (say("sheet-verdicts"), "-", share(verdicts)),
         (say("sheet-near-rival", sigma=TIE_SIGMA), ">= 98 %", share(near)),
         (say("sheet-far-rival", sigma=CLEAR_SIGMA), ">= 97 %", share(far)),
-        (say("sheet-calibration-first"), "<= 0.02", number(calibration_error(first))),
+        (say("sheet-calibration-first", low=low, high=high), "<= 0.02", number(calibration_error(first))),
         (say("sheet-calibration-all"), "<= 0.02", number(calibration_error(every))),
         (say("sheet-unknown-as-unknown"), ">= 93 %", share(share_right(outcomes, "unknown"))),
         (say("sheet-exact-pair"), ">= 85 %", share(share_right(outcomes, "double"))),

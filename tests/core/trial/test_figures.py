@@ -10,6 +10,7 @@ from core.trial.figures import (
     Share,
     all_answers,
     calibration_error,
+    calibration_error_by_chance,
     closure_ratios,
     first_answers,
     fit_halfway_size,
@@ -57,6 +58,16 @@ def test_calibrated_answers_have_no_calibration_error():
     p = rng.uniform(0, 1, 40000)
     assert calibration_error(reliability(p, rng.uniform(size=len(p)) < p)) < 0.01
     assert calibration_error(reliability(p, rng.uniform(size=len(p)) < p**2)) == pytest.approx(1 / 6, abs=0.01)
+
+
+@pytest.mark.parametrize("count", [25, 400])
+def test_few_calibrated_answers_seem_to_be_off_by_what_chance_is_told_to_make(count: int):
+    rng = np.random.default_rng(6)
+    p = rng.uniform(0.5, 1.0, count)
+    low, high = calibration_error_by_chance(p)
+    errors = np.array([calibration_error(reliability(p, rng.uniform(size=count) < p)) for _ in range(1000)])
+    assert 0.92 < np.mean((low <= errors) & (errors <= high)) < 0.98
+    assert not low <= calibration_error(reliability(p, np.zeros(count, dtype=bool))) <= high
 
 
 def test_answers_of_none_and_unknown_are_part_of_the_calibration():
