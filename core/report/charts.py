@@ -108,10 +108,20 @@ def distance_chart(t: Array, distance_m: Array, limit_m: float, words: Wording) 
                       textcoords="offset points", ha="right", fontsize=8)  # fmt: skip
         k = int(np.nanargmin(distance_m))
         axes.plot(t[k], distance_m[k], "o", color=INK, markersize=4)
-        above = max(float(distance_m[k]), limit_m)
-        axes.annotate(words.mark(f"{distance_m[k]:.3f} m"), (t[k], above), (0, 9), textcoords="offset points",
-                      ha="center" if 0.15 < (t[k] - t[0]) / np.ptp(t) < 0.85 else "left", fontsize=8)  # fmt: skip
-        axes.set_ylim(0.0, max(1.15 * float(np.nanmax(distance_m)), 1.5 * limit_m))
+        top = max(1.15 * float(np.nanmax(distance_m)), 1.5 * limit_m)
+        below = distance_m[k] - limit_m > 0.25 * top  # nothing else is drawn there: it is the smallest
+        along = (t[k] - t[0]) / np.ptp(t)
+        side, aside = ("left", 5) if along < 0.15 else ("right", -5) if along > 0.85 else ("center", 0)
+        axes.annotate(
+            words.mark(f"{distance_m[k]:.3f} m"),
+            (t[k], distance_m[k] if below else max(float(distance_m[k]), limit_m)),
+            (aside, -9 if below else 9),
+            textcoords="offset points",
+            ha=side,
+            va="top" if below else "bottom",
+            fontsize=8,
+        )
+        axes.set_ylim(0.0, top)
         axes.set_xlabel("t, s")
         axes.set_ylabel(words.say("report-distance-axis"))
         return _svg(figure, "distance", words.say("report-distance"), words)
