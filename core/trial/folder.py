@@ -55,10 +55,13 @@ def check_seals(drawn: Iterable[DrawnTrial], done: dict[int, TrialOutcome]) -> N
 
 
 def open_folder(folder: Path, drawn: Iterable[DrawnTrial], done: dict[int, TrialOutcome]) -> None:
-    """Makes the folder with the seals of what is to come, and leaves only whole outcomes in it."""
+    """Makes the folder with the seals of what is to come, each once, and leaves only whole outcomes in it."""
     folder.mkdir(parents=True, exist_ok=True)
-    with (folder / SEALS).open("a", encoding="utf-8") as seals:
-        seals.writelines(f"{one.sealed.seed} {one.sealed.hash}\n" for one in drawn if one.sealed.seed not in done)
+    with (folder / SEALS).open("a+", encoding="utf-8") as seals:
+        seals.seek(0)
+        there = set(seals)
+        lines = (f"{one.sealed.seed} {one.sealed.hash}\n" for one in drawn if one.sealed.seed not in done)
+        seals.writelines(line for line in lines if line not in there)
     write_whole(folder / OUTCOMES, "".join(outcome.model_dump_json() + "\n" for outcome in done.values()))
 
 

@@ -23,6 +23,12 @@ def test_seals_stand_there_before_the_first_outcome(tmp_path: Path):
     assert read_outcomes(tmp_path / "run") == {}
 
 
+def test_seals_stand_there_once_however_often_a_run_goes_on(tmp_path: Path):
+    for _ in range(3):
+        open_folder(tmp_path, [drawn(4), drawn(5)], {4: none(4)} if (tmp_path / SEALS).exists() else {})
+    assert (tmp_path / SEALS).read_text().splitlines() == [f"{k} {drawn(k).sealed.hash}" for k in (4, 5)]
+
+
 def test_outcomes_come_back_as_they_were_written(tmp_path: Path):
     open_folder(tmp_path, [], {})
     written = [none(1), single(2, "time_delay", "base_tilt", gap_before=3.1)]
