@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -107,12 +107,12 @@ def find_dead_bands(wrench: Array) -> Array:
     It never changes by less, while noise makes small changes as well. A bus may send all channels now and then, changed or not: then those
     count that change by themselves, and much more than at other times, since rounded readings that are held seem to do that by a step.
     """
-    alone = (wrench[1:] != wrench[:-1]).sum(axis=1) <= ALONE
-    in_turn = bool(find_held_share(wrench)[0])
-    return np.array([_find_dead_band(channel, alone, WIDER) if in_turn else _find_dead_band(channel, ..., 0.0) for channel in wrench.T])
+    in_turn = find_held_share(wrench)[0] > 0.0
+    rows = (wrench[1:] != wrench[:-1]).sum(axis=1) <= (ALONE if in_turn else wrench.shape[1])
+    return np.array([_find_dead_band(channel, rows, WIDER if in_turn else 0.0) for channel in wrench.T])
 
 
-def _find_dead_band(channel: Array, rows: Any, wider: float) -> float:
+def _find_dead_band(channel: Array, rows: NDArray[np.bool_], wider: float) -> float:
     """Of changes in these rows; at the ends of its range, where it may be clipped, they do not count."""
     inside = (channel > channel.min()) & (channel < channel.max())
     changes = np.where(inside[1:] & inside[:-1], np.abs(np.diff(channel)), 0.0)

@@ -11,9 +11,11 @@ from textwrap import fill
 
 import numpy as np
 
+from core.array import Array
 from core.files.whole_file import write_whole
 from core.trial import charts
 from core.trial.figures import (
+    Bin,
     Share,
     all_answers,
     calibration_error,
@@ -158,7 +160,6 @@ def _figures(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:
     closures = [first / true for true, first in closure_ratios(outcomes)]
     probability, hit = first_answers(outcomes)
     first, every = reliability(probability, hit), reliability(*all_answers(outcomes, LEAST))
-    low, high = map(partial(_number, words), calibration_error_by_chance(probability))
     alarms = Share.among(not right(o) for o in counted["none"])
     verdicts = Share.among(gives_right_verdict(o) for part in counted.values() for o in part)
     outright, single = (Share.among(map(answered, counted["single"])) for answered in (tells_truth_outright, names_truth_alone))
@@ -175,7 +176,7 @@ def _figures(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:
         (say("sheet-verdicts"), "-", share(verdicts)),
         (say("sheet-near-rival", sigma=TIE_SIGMA), ">= 98 %", share(near)),
         (say("sheet-far-rival", sigma=CLEAR_SIGMA), ">= 97 %", share(far)),
-        (say("sheet-calibration-first", low=low, high=high), "<= 0.02", number(calibration_error(first))),
+        (say("sheet-calibration-first"), "<= 0.02", _say_calibration(words, first, probability)),
         (say("sheet-calibration-all"), "<= 0.02", number(calibration_error(every))),
         (say("sheet-unknown-as-unknown"), ">= 93 %", share(share_right(outcomes, "unknown"))),
         (say("sheet-exact-pair"), ">= 85 %", share(share_right(outcomes, "double"))),
@@ -274,6 +275,12 @@ def _say_share(words: Wording, share: Share) -> str:
         return words.say("sheet-none-drawn")
     low, high = (100 * each for each in share.interval)
     return words.say("sheet-share", percent=100 * share.value, hits=share.hits, of=share.of, low_percent=low, high_percent=high)
+
+
+def _say_calibration(words: Wording, table: Sequence[Bin], probability: Array) -> str:
+    """The error, with what chance alone would make of it; none of no answers."""
+    error, low, high = (_number(words, value) for value in (calibration_error(table), *calibration_error_by_chance(probability)))
+    return words.say("sheet-error-by-chance", error=error, low=low, high=high) if table else error
 
 
 def _percent(words: Wording, value: float) -> str:

@@ -19,7 +19,7 @@ from tests.web.people import BEN, PASSWORD, add_operator
 from tests.web.random_hands import RandomHands
 from tests.web.tablet import tablet
 
-TAPS = int(os.environ.get("HEFT_TAPS", "40"))
+TAPS = int(os.environ.get("HEFT_TAPS", "75"))
 SEED = int(os.environ.get("HEFT_TAPS_SEED", "1"))
 REFUSED = re.compile(r"Failed to load resource: the server responded with a status of 40[39]|.*net::ERR_INTERNET_DISCONNECTED")
 """What the browser says of a refusal, which the page says in words: 409 where two tabs want the same, 403 after one of them signed out; and

@@ -40,6 +40,10 @@ def test_the_sheet_says_how_it_was_made_and_stands_against_what_was_wanted():
     assert "| unknown called unknown | >= 93 % | 100.0 % (1 of 1;" in sheet
 
 
+def test_a_calibration_error_stands_beside_what_chance_makes_of_it():
+    assert re.search(r"\| calibration error of the first answer \| <= 0\.02 \| [\d.]+ \(by chance [\d.]+-[\d.]+,", score_sheet(SOME))
+
+
 def test_a_first_name_of_an_open_verdict_is_a_name_but_not_told_outright():
     answers = [single(1, "time_delay", "time_delay"), single(2, "time_delay", "time_delay", verdict="ambiguous")]
     sheet = score_sheet([*answers, single(3, "time_delay", "sensor_lowpass")])

@@ -245,9 +245,10 @@ class Runs(RuleBasedStateMachine):
         shutil.rmtree(self.plant.service.conductor.folder / self.run, ignore_errors=True)
 
 
-def test_commands_do_what_the_table_says_in_whatever_order(plant: Plant) -> None:
+@pytest.mark.parametrize("runs", [12, pytest.param(25, marks=pytest.mark.thorough)])
+def test_commands_do_what_the_table_says_in_whatever_order(plant: Plant, runs: int) -> None:
     Runs.plant = plant
     careful = settings(
-        max_examples=12, stateful_step_count=25, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck)
+        max_examples=runs, stateful_step_count=25, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck)
     )
     run_state_machine_as_test(Runs, settings=careful)
