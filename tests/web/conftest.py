@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser
 
-from tests.server.real_service import Console, RealService
+from tests.server.real_service import Console, RealService, wait_for
 from tests.web.patient_cells import console_service
 from tests.web.tablet import chromium
 from tests.web.way import Way, walked
@@ -37,8 +37,9 @@ def nothing_left(request: pytest.FixtureRequest) -> Iterator[None]:
 
 @pytest.fixture
 def person(service: RealService) -> Iterator[Console]:
-    """Somebody at another screen, who leaves no run behind."""
+    """Somebody at another screen, where nobody is in control any more, who leaves no run behind."""
     console = Console(service)
+    wait_for(lambda: console.http.get(f"/api/control/{console.cell}").json()["holder"] is None, "nobody to be in control")
     yield console
     console.leave()
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, expect
 
-from tests.server.real_service import Console, RealService, wait_for
+from tests.server.real_service import Console, RealService
 from tests.web.judgement import check_looks
 from tests.web.looks import glimpse, look
 from tests.web.people import BEN, PASSWORD, add_operator
@@ -22,7 +22,6 @@ LEFT = re.compile(r"in 0:[0-3]\d")
 def anna(service: RealService, browser: Browser, person: Console) -> Iterator[Tablet]:
     """The first operator's tablet, in control."""
     add_operator(person)
-    wait_for(lambda: person.http.get(f"/api/control/{person.cell}").json()["holder"] is None, "nobody to be in control")
     with signed_in(service, browser) as at:
         at.page.locator(".header .who").tap()
         at.press("Take control")
