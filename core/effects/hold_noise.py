@@ -21,8 +21,8 @@ SHORTEST = 64
 """Samples; a shorter hold says too little of noise."""
 PIECE_S, HARMONICS = 0.2, 5
 """In which the power of a line is measured, and how many of its multiples with it."""
-LOWEST_HZ = 10.0
-"""Slower than this, a line may be the arm or a swinging load."""
+LOWEST_HZ, HIGHEST = 10.0, 0.49
+"""Slower than this, a line may be the arm or a swinging load; faster than the second figure, as a share of the sample rate, it has no phase."""
 DETRENDED = 3
 """Bins of the spectrum that a quadratic trend empties."""
 REACH = 16
@@ -87,7 +87,7 @@ def line_in(noise: list[Array], rate: float) -> Line | None:
     floor = _floor(power)
     floor *= K / (K - 1 / 3)  # the median of a sum of K exponentials is about K - 1/3 of their scale
     ratio = K * power / floor
-    band = (f > max(LOWEST_HZ, 3 * rate / L)) & (f < 0.49 * rate)
+    band = (f > max(LOWEST_HZ, 3 * rate / L)) & (f < HIGHEST * rate)
     if not band.any():
         return None
     single = _log_tail(ratio[band], K)
@@ -100,11 +100,17 @@ def line_in(noise: list[Array], rate: float) -> Line | None:
 
 
 def measure_whole(noise: list[Array], line: Line, rate: float) -> Array:
-    """(6,), amplitude, N and N m, of a sinusoid with the power of a line and its harmonics, in pieces so short that neither a phase that
-    wanders nor a source that is switched on and off takes any of it away."""
-    pieces = _cut(noise, min(*(len(part) for part in noise), max(SHORTEST // 2, round(PIECE_S * rate))))
-    multiples = line.frequency * np.arange(1.0, HARMONICS + 1)
-    return np.asarray(np.linalg.norm(_fit_amplitudes(pieces, multiples[multiples < 0.49 * rate], rate, line.floor), axis=0))
+    """(6,), amplitude, N and N m, of a sinusoid with the power of a line and its harmonics while it is there: the mean over the holds of that
+    power, weighted with itself, so that a source that is off in most of them counts as it does where it is on.
+
+    Measured in pieces so short that neither a phase that wanders nor a switch takes any of it away.
+    """
+    length = min(*(len(part) for part in noise), max(SHORTEST // 2, round(PIECE_S * rate)))
+    seen = max(1, min(HARMONICS, int(HIGHEST * rate / line.frequency)))
+    multiples = line.frequency * np.arange(1.0, seen + 1)
+    amplitudes = np.array([_fit_amplitudes(_cut([part], length), multiples, rate, line.floor) for part in noise])
+    power = np.square(amplitudes).sum(axis=1)
+    return np.asarray(np.sqrt(np.square(power).sum(axis=0) / np.maximum(power.sum(axis=0), np.finfo(float).tiny)))
 
 
 def without_line(noise: list[Array], frequency: float, rate: float) -> list[Array]:

@@ -23,7 +23,7 @@ class SensorInterference(Symptom):
     """`A sin(2 pi f t + phase)` in each channel, found in the raw wrench of the holds, where no motion hides it.
 
     Material where all of it, with the harmonics, has the power of an amplitude of more than three times the stated noise of a sample in
-    some channel; where none is stated, the noise beside the line. What rings down within the holds is no interference.
+    some channel while it is there; where none is stated, the noise beside the line. What rings down within the holds is no interference.
     """
 
     id = "sensor_interference"

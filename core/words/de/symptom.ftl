@@ -9,7 +9,7 @@ symptom-held-or-lost = { $held_share ->
 }
 symptom-steps = { $channel } kommt in Stufen von { $step }: dem { FIXED($times, digits: 1) }-fachen seines Rauschens.
 symptom-coarser-steps = { $channel } kommt in Stufen von { $step }, angegeben sind { $stated }: dem { FIXED($times, digits: 1) }-fachen seines Rauschens.
-symptom-line = Eine Linie bei { $place } mit Amplituden bis zu { $amplitude }, in { $channel } mit ihren Oberwellen dem { FIXED($times, digits: 1) }-fachen des Rauschens.
+symptom-line = Eine Linie bei { $place } mit Amplituden von im Mittel bis zu { $amplitude }; wo sie am stärksten ist, erreicht sie mit ihren Oberwellen in { $channel } das { FIXED($times, digits: 1) }-fache des Rauschens.
 symptom-frequency = { FIXED($frequency_hz, digits: 2) } Hz
 symptom-mains = { FIXED($frequency_hz, digits: 2) } Hz (Netz, { FIXED($source_hz, digits: 0) } Hz)
 symptom-mains-alias = { FIXED($frequency_hz, digits: 2) } Hz (Netz, { FIXED($source_hz, digits: 0) } Hz, sichtbar als Spiegelfrequenz bei { FIXED($samples_per_second, digits: 0) } Messwerten je Sekunde)

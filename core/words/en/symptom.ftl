@@ -9,7 +9,7 @@ symptom-held-or-lost = { $held_share ->
 }
 symptom-steps = { $channel } comes in steps of { $step }: { FIXED($times, digits: 1) } times its noise.
 symptom-coarser-steps = { $channel } comes in steps of { $step }, stated are { $stated }: { FIXED($times, digits: 1) } times its noise.
-symptom-line = There is a line at { $place } with amplitudes up to { $amplitude }, with its harmonics { FIXED($times, digits: 1) } times the noise in { $channel }.
+symptom-line = There is a line at { $place } with amplitudes up to { $amplitude } on average; where it is strongest it reaches, with its harmonics, { FIXED($times, digits: 1) } times the noise in { $channel }.
 symptom-frequency = { FIXED($frequency_hz, digits: 2) } Hz
 symptom-mains = { FIXED($frequency_hz, digits: 2) } Hz (mains, { FIXED($source_hz, digits: 0) } Hz)
 symptom-mains-alias = { FIXED($frequency_hz, digits: 2) } Hz (mains, { FIXED($source_hz, digits: 0) } Hz, seen as its alias at { FIXED($samples_per_second, digits: 0) } samples per second)

@@ -33,6 +33,13 @@ def test_a_line_above_half_the_sample_rate_is_named_by_its_source() -> None:
     assert "alias" in finding.message.text
 
 
+@pytest.mark.parametrize("frequency", [244.5, 245.3])
+def test_a_line_just_below_half_the_sample_rate_is_found(frequency: float) -> None:
+    finding = seen(SensorInterference(), recording(added=4.0 * np.sin(2 * np.pi * frequency * times())[:, None] * NOISE))
+    assert finding.theta[0] == pytest.approx(frequency, abs=0.1)
+    assert finding.times_expected == pytest.approx(4.0, rel=0.15)
+
+
 @pytest.mark.parametrize("amplitude", [0.5, 2.5, 4.0])
 def test_a_line_matters_from_three_times_the_stated_noise(amplitude: float) -> None:
     finding = seen(SensorInterference(), recording(added=amplitude * np.sin(2 * np.pi * 50 * times())[:, None] * NOISE))
@@ -53,6 +60,14 @@ def test_a_line_that_is_switched_on_and_off_counts_by_its_power() -> None:
     on = np.mod(times(), 1.6) < 1.2
     finding = seen(SensorInterference(), recording(added=np.where(on, 3.7 * np.sin(2 * np.pi * 100.0 * times()), 0.0)[:, None] * NOISE))
     assert finding.times_expected == pytest.approx(3.7 * np.sqrt(0.75), rel=0.08)
+
+
+@pytest.mark.parametrize(("on_s", "amplitude"), [((3.0, 6.0), 4.0), ((0.0, 9.0), 3.6), ((12.0, 15.0), 2.0)])
+def test_a_line_that_is_off_in_most_holds_counts_as_it_does_where_it_is_on(on_s: tuple[float, float], amplitude: float) -> None:
+    on = (times() > on_s[0]) & (times() < on_s[1])
+    finding = seen(SensorInterference(), recording(added=np.where(on, amplitude * np.sin(2 * np.pi * 60.0 * times()), 0.0)[:, None] * NOISE))
+    assert finding.times_expected == pytest.approx(amplitude, rel=0.1)
+    assert finding.material is (amplitude > 3.0)
 
 
 def test_ringing_after_each_stop_is_no_interference() -> None:
