@@ -22,7 +22,7 @@ SHORTEST = 64
 PIECE_S, HARMONICS = 0.2, 5
 """In which the power of a line is measured, and how many of its multiples with it."""
 LOWEST_HZ, HIGHEST = 10.0, 0.49
-"""Slower than this, a line may be the arm or a swinging load; faster than the second figure, as a share of the sample rate, it has no phase."""
+"""Slower than the first, a line may be the arm or a swinging load; faster than the second, a share of the sample rate, it has no phase."""
 DETRENDED = 3
 """Bins of the spectrum that a quadratic trend empties."""
 REACH = 16
@@ -100,8 +100,8 @@ def line_in(noise: list[Array], rate: float) -> Line | None:
 
 
 def measure_whole(noise: list[Array], line: Line, rate: float) -> Array:
-    """(6,), amplitude, N and N m, of a sinusoid with the power of a line and its harmonics while it is there: the mean over the holds of that
-    power, weighted with itself, so that a source that is off in most of them counts as it does where it is on.
+    """(6,), amplitude, N and N m, of a sinusoid with the power of a line and its harmonics while it is there: the mean of that power over
+    the holds, weighted with itself, so that a source that is off in most of them counts as it does where it is on.
 
     Measured in pieces so short that neither a phase that wanders nor a switch takes any of it away.
     """

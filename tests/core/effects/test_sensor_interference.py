@@ -65,7 +65,9 @@ def test_a_line_that_is_switched_on_and_off_counts_by_its_power() -> None:
 @pytest.mark.parametrize(("on_s", "amplitude"), [((3.0, 6.0), 4.0), ((0.0, 9.0), 3.6), ((12.0, 15.0), 2.0)])
 def test_a_line_that_is_off_in_most_holds_counts_as_it_does_where_it_is_on(on_s: tuple[float, float], amplitude: float) -> None:
     on = (times() > on_s[0]) & (times() < on_s[1])
-    finding = seen(SensorInterference(), recording(added=np.where(on, amplitude * np.sin(2 * np.pi * 60.0 * times()), 0.0)[:, None] * NOISE))
+    finding = seen(
+        SensorInterference(), recording(added=np.where(on, amplitude * np.sin(2 * np.pi * 60.0 * times()), 0.0)[:, None] * NOISE)
+    )
     assert finding.times_expected == pytest.approx(amplitude, rel=0.1)
     assert finding.material is (amplitude > 3.0)
 
