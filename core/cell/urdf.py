@@ -21,6 +21,7 @@ from core.files.jail import find_inside
 from core.words.message import Message
 
 MAX_MESH_BYTES = 50_000_000
+MAX_LINKS = 1000  # a humanoid with hands has some hundred
 MAX_ANGLE = 4 * np.pi  # rad; a larger joint limit is in degrees
 ROUNDING = 1e-6  # relative, of the triangle inequality: values are written with six digits
 
@@ -163,11 +164,14 @@ def check_urdf(text: str, where: str) -> Urdf:
 
     Raises:
         BadRobot: not XML, document types or entities, no tree, duplicate names, malformed
-            numbers, negative sizes or masses.
+            numbers, negative sizes or masses, more than `MAX_LINKS` links.
     """
     root = parse(text, where)
+    links = root.findall("link")
+    if len(links) > MAX_LINKS:
+        raise BadRobot(where, "description-too-many-links", links=len(links), most=MAX_LINKS)
     check_elements(root, where)
-    bodies = tuple(read_link(link, where) for link in root.findall("link"))
+    bodies = tuple(read_link(link, where) for link in links)
     joints = tuple(read_joint(joint, where) for joint in root.findall("joint"))
     urdf = Urdf(where, bodies, joints, tuple(mesh.get("filename", "") for mesh in root.iter("mesh")))
     for rule in (_names_are_unique, _joints_have_links, _is_one_tree):
@@ -219,9 +223,10 @@ def _names_are_unique(urdf: Urdf) -> None:
 
 
 def _joints_have_links(urdf: Urdf) -> None:
+    links = set(urdf.links)
     for joint in urdf.joints:
         for key in ("parent", "child"):
-            if getattr(joint, key) not in urdf.links:
+            if getattr(joint, key) not in links:
                 raise BadRobot(f"{urdf.where}: joint {joint.name!r}: {key}", "description-unknown-link", link=getattr(joint, key))
 
 

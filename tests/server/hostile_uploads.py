@@ -220,6 +220,6 @@ HOSTILE: dict[str, Callable[[], bytes]] = {
     "an endless clearance": _toml("clearance_m = 0.03", "clearance_m = inf"),
     "a key that nobody knows": _toml("[limits]", "[limits]\nno_limits = true"),
     "a name that leads outside": _toml('name = "lwr4_bench"', 'name = "../lwr4_bench"'),
-    "a hundred thousand links": lambda: _many_links(30_000),
+    "tens of thousands of links": lambda: _many_links(30_000),
     "thousands of names twice": lambda: _many_boxes(500),
 }

@@ -68,6 +68,7 @@ BROKEN: dict[str, tuple[Callable[[], str], str]] = {
     ),
     "include": (add('<include filename="other.urdf"/>'), "include"),
     "no link": (lambda: "<robot name='a'/>", "no link"),
+    "too many links": (add("".join(f'<link name="extra{k}"/>' + JOINT.format("base", f"extra{k}") for k in range(1000))), "at most 1000"),
     "link twice": (add('<link name="link3"/>'), "link 'link3': found 2"),
     "link without a name": (add("<link/>" + JOINT.format("base", "")), "no link|without a name"),
     "joint twice": (swap('"joint4"', '"joint3"'), "joint 'joint3': found 2"),
