@@ -10,15 +10,18 @@ from core.cli.terminal import find_wording
 from core.estimation.budget import REPEATABILITY, TITLES
 from core.estimation.budget_part import BudgetPart
 from core.estimation.result import Result
-from core.gap.answer import SIDES, Also, Diagnosis, Experiment, Value
+from core.gap.answer import SIDES, Also, Diagnosis, Experiment
 from core.gap.instruction import Instruction, find_advice, rank_explanations
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
+from core.report.parameter_words import parameter_texts
 from core.report.verification_words import verification_sentence
 from core.words.message import Message
 from core.words.wording import Wording
 
 SHOWN_EFFECTS = 5
 SHOWN_PARAMETERS = 4
+PROBABLE = 0.01
+"""Of what is less probable nobody asks how large it would be."""
 INTERVAL = 1.96
 """Standard uncertainties on either side of a 95 % interval."""
 NAMED_SHARE = 0.1
@@ -142,23 +145,16 @@ def diagnosis_table(diagnosis: Diagnosis) -> Table:
     for heading in (words.say("result-probability"), words.say("result-gap-after"), words.say("result-closure")):
         table.add_column(heading, justify="right")
     table.add_column(words.say("result-parameters"))
-    rows = [(e.probability, e.gap_after, e.closure, e.id, _say_parameters(e.parameters, words)) for e in diagnosis.effects]
-    for pair in diagnosis.pairs:
-        values = "; ".join(_say_parameters(parameters, words) for parameters in pair.parameters.values())
-        rows.append((pair.probability, pair.gap_after, pair.closure, " + ".join(pair.ids), values))
-    for *shares, name, said in sorted(rows, key=lambda row: -row[0])[:SHOWN_EFFECTS]:
-        table.add_row(name, *(format_decimals(share, 3) for share in shares), said)
+    rows = [(e.probability, e.gap_after, e.closure, e.id, [e.parameters]) for e in diagnosis.effects]
+    rows += [(p.probability, p.gap_after, p.closure, " + ".join(p.ids), [*p.parameters.values()]) for p in diagnosis.pairs]
+    for probability, after, closure, name, parameters in sorted(rows, key=lambda row: -row[0])[:SHOWN_EFFECTS]:
+        told = parameters if probability > PROBABLE else []
+        said = [text for each in told for text in parameter_texts(each, words, SHOWN_PARAMETERS)]
+        table.add_row(name, *(format_decimals(share, 3) for share in (probability, after, closure)), "\n".join(said))
     if diagnosis.effects:
         table.add_row(words.say("result-no-effect"), format_decimals(diagnosis.none_probability, 3), "", "", "")
         table.add_row(words.say("result-unknown-effect"), format_decimals(diagnosis.unknown_probability, 3), "", "", "")
     return table
-
-
-def _say_parameters(parameters: dict[str, Value], words: Wording) -> str:
-    """The first few, and how many more there are."""
-    values = ", ".join(f"{name} {number(v.value, 4)} ± {number(v.std, 2)}" for name, v in list(parameters.items())[:SHOWN_PARAMETERS])
-    more = len(parameters) - SHOWN_PARAMETERS
-    return words.say("result-more-parameters", parameters=values, count=more) if more > 0 else values
 
 
 def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:

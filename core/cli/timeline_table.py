@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from rich.table import Table
 
-from core.cli.tables import VERDICTS, number
+from core.cli.tables import VERDICTS
 from core.cli.terminal import find_wording
+from core.effects.parameter_title import find_title
 from core.gap.answer import Value
 from core.gap.timeline import EffectTimeline, Sighting, State, Timeline
+from core.report.parameter_words import value_text
 
 MARKS: dict[State, str] = {"present": "✓", "possible": "?", "minor": "○", "absent": "–", "unclear": "·"}
 
@@ -21,7 +23,8 @@ def timeline_table(timeline: Timeline) -> Table:
         table.add_column(f"{k + 1}", no_wrap=True)
     for effect in timeline.effects:
         name = find_leading_parameter(effect)
-        table.add_row(effect.id if name is None else f"{effect.id}: {name}", *(_mark(sighting, name) for sighting in effect.sightings))
+        title = effect.id if name is None else f"{effect.id}: {words.quote(find_title(name))}"
+        table.add_row(title, *(_mark(sighting, name) for sighting in effect.sightings))
     return table
 
 
@@ -47,6 +50,5 @@ def _certainty(value: Value) -> float:
 
 def _mark(sighting: Sighting, name: str | None) -> str:
     value = None if name is None or sighting.state == "absent" else sighting.parameters.get(name)
-    if value is None:
-        return MARKS[sighting.state]
-    return f"{MARKS[sighting.state]} {number(value.value, 3)} ± {number(value.std, 2)} {value.unit}"
+    mark = MARKS[sighting.state]
+    return mark if name is None or value is None else f"{mark} {value_text(name, value, find_wording())}"

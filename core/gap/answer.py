@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeAlias
 
-from pydantic import AliasChoices, BaseModel, BeforeValidator, ConfigDict, Field, computed_field
+from pydantic import AfterValidator, AliasChoices, BaseModel, BeforeValidator, ConfigDict, Field, computed_field
 
 from core.cell.kinematics import Axes
+from core.effects.parameter_title import find_title
 from core.effects.sides import Side
 from core.gap.instruction import Instruction, instruct
 from core.planning.stop import Stop
@@ -54,6 +55,14 @@ class Value(DiagnosisPart):
     at_bound: bool = Field(default=False, description="Whether the fit ended at a bound of what is plausible.")
 
 
+def _give_titles(parameters: dict[str, Value]) -> dict[str, Value]:
+    return {name: value.model_copy(update={"title": value.title or find_title(name)}) for name, value in parameters.items()}
+
+
+Values: TypeAlias = Annotated[dict[str, Value], AfterValidator(_give_titles)]
+"""Fitted parameters by name, each with its title, which answers of earlier versions do not have."""
+
+
 class Explanation(DiagnosisPart):
     """One effect with what it would do to the gap."""
 
@@ -61,7 +70,7 @@ class Explanation(DiagnosisPart):
     title: Message = Field(description="What it is called.")
     stage: str = Field(description="Where on the way from payload to reading it acts.", examples=["reading"])
     probability: float = Field(description="Probability of this explanation, 0 to 1.", examples=[0.93])
-    parameters: dict[str, Value] = Field(description="Its fitted parameters by name.")
+    parameters: Values = Field(description="Its fitted parameters by name.")
     gap_after: float = Field(description="What is left of the gap with it, in multiples of the noise (rms).", examples=[1.1])
     closure: float = Field(description="Share of the gap that goes away with it, 0 to 1.", examples=[0.97])
     closure_interval: tuple[float, float] = Field(description="95 % interval of `closure`.", examples=[[0.95, 0.98]])
@@ -82,7 +91,7 @@ class Pair(DiagnosisPart):
     probability: float = Field(description="Probability of this explanation, 0 to 1.", examples=[0.71])
     gap_after: float = Field(description="What is left of the gap with all of them, in multiples of the noise (rms).", examples=[1.05])
     closure: float = Field(description="Share of the gap that goes away with all of them, 0 to 1.", examples=[0.98])
-    parameters: dict[str, dict[str, Value]] = Field(default_factory=dict, description="Fitted parameters by effect and name.")
+    parameters: dict[str, Values] = Field(default_factory=dict, description="Fitted parameters by effect and name.")
     advice: dict[str, Message] = Field(default_factory=dict, description="What to do about each effect, as it is beside the others.")
     addable: bool = Field(default=False, description="Whether the cell's twin would take all of them.")
     why_not: MessageIfAny = Field(default=None, description="What stands against that; null where nothing does.")
@@ -99,7 +108,7 @@ class Also(DiagnosisPart):
     id: str = Field(description="Name of the effect or symptom.", examples=["joint_backlash"])
     title: Message = Field(description="What it is called.")
     side: Side = Field(description="Where it is seen.")
-    parameters: dict[str, Value] = Field(description="Its fitted parameters by name.")
+    parameters: Values = Field(description="Its fitted parameters by name.")
     times_expected: float | None = Field(description="How many times what is stated or tolerated; null where nothing is.", examples=[2.4])
     material: bool = Field(description="Whether somebody should do something about it.")
     message: Seen = Field(description="What was seen.")
@@ -110,7 +119,7 @@ class Minor(DiagnosisPart):
     """An effect on the wrench that was detected, but is not material."""
 
     id: str = Field(description="Name of the effect.", examples=["sensor_drift"])
-    parameters: dict[str, Value] = Field(description="Its fitted parameters by name.")
+    parameters: Values = Field(description="Its fitted parameters by name.")
     message: Seen = Field(description="What was seen.")
 
 

@@ -6,7 +6,6 @@ from functools import reduce
 from itertools import islice
 
 from core.effects.effect import STAGE_NAMES
-from core.effects.parameter_title import find_title
 from core.gap.addable import split_parameter_rows, why_not_addable
 from core.gap.answer import (
     Change,
@@ -133,7 +132,7 @@ def _find_open(evidence: Evidence) -> list[EffectFit]:
 def describe_values(fit: EffectFit) -> dict[str, Value]:
     """Fitted parameters by name."""
     return {
-        p.name: Value(title=find_title(p.name), value=float(v), std=float(s), unit=p.unit, at_bound=bool(v <= p.lower or v >= p.upper))
+        p.name: Value(value=float(v), std=float(s), unit=p.unit, at_bound=bool(v <= p.lower or v >= p.upper))
         for p, v, s in zip(fit.parameters, fit.theta, fit.theta_std, strict=True)
         if p.shown
     }

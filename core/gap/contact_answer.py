@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from core.effects.effect import Effect
 from core.effects.external_contact import ExternalContact
-from core.effects.parameter_title import find_title
 from core.gap.answer import ContactPart, Diagnosis, Explanation, Pair, PayloadPart, PhiPart, Value, Where
 from core.gap.answering import OPEN, answer, describe_gap, describe_payload, describe_values, with_likely
 from core.gap.attribution import Attribution, choose_variants, probabilities
@@ -268,6 +267,4 @@ def _list_values(contact: Contact) -> dict[str, Value]:
     numbers = {"at_s": contact.begin_s, "duration_s": contact.end_s - contact.begin_s}
     numbers |= {f"force_{axis}_n": float(force) for axis, force in zip("xyz", contact.force, strict=True)}
     numbers |= {f"at_{axis}_m": float(at) for axis, at in zip("xyz", contact.point, strict=True)}
-    return {
-        name: Value(title=find_title(name), value=value, std=None, unit=UNITS[name.rpartition("_")[2]]) for name, value in numbers.items()
-    }
+    return {name: Value(value=value, std=None, unit=UNITS[name.rpartition("_")[2]]) for name, value in numbers.items()}

@@ -9,7 +9,6 @@ import numpy as np
 from core.array import Array
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.library import symptoms
-from core.effects.parameter_title import find_title
 from core.effects.sides import Side
 from core.gap.answer import Also, Value
 from core.gap.effect_fit import EffectFit
@@ -106,7 +105,7 @@ def _also(recording: Recording, symptom: Symptom, finding: Finding) -> Also:
 def _values(parameters: tuple[Parameter, ...], finding: Finding) -> dict[str, Value]:
     """Those that were determined."""
     return {
-        p.name: Value(title=find_title(p.name), value=float(value), std=float(std) if np.isfinite(std) else None, unit=p.unit)
+        p.name: Value(value=float(value), std=float(std) if np.isfinite(std) else None, unit=p.unit)
         for p, value, std in zip(parameters, finding.theta, finding.std, strict=True)
         if np.isfinite(value)
     }

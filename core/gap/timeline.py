@@ -10,7 +10,7 @@ from pydantic import Field
 
 from core.cell.kinematics import is_same_robot
 from core.errors import BadInput
-from core.gap.answer import Also, Diagnosis, DiagnosisPart, Explanation, Minor, Value, Verdict
+from core.gap.answer import Also, Diagnosis, DiagnosisPart, Explanation, Minor, Value, Values, Verdict
 from core.gap.instruction import find_effect_title, find_open, rank_explanations
 from core.words.message import Message
 
@@ -26,7 +26,7 @@ class Sighting(DiagnosisPart):
         "names others beside which it may be missed, or has a gap that nothing explains.",
         examples=["present"],
     )
-    parameters: dict[str, Value] = Field(description="Its fitted parameters by name; empty where nothing was fitted, or others are named.")
+    parameters: Values = Field(description="Its fitted parameters by name; empty where nothing was fitted, or others are named.")
 
 
 class Onset(DiagnosisPart):

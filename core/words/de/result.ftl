@@ -61,7 +61,6 @@ result-probability = Wahrscheinlichkeit
 result-gap-after = Abweichung danach
 result-closure = geschlossen
 result-parameters = Parameter
-result-more-parameters = { $parameters } und { $count } weitere
 result-no-effect = keiner
 result-unknown-effect = unbekannt
 result-likely = In neun von zehn Fällen wie diesem ist es eines davon: { $effects }.

@@ -65,7 +65,6 @@ result-probability = probability
 result-gap-after = gap after
 result-closure = closure
 result-parameters = parameters
-result-more-parameters = { $parameters } and { $count } more
 result-no-effect = none
 result-unknown-effect = unknown
 result-likely = In nine of ten cases like this it is one of these: { $effects }.

@@ -17,6 +17,7 @@ from core.words.message import Message
 from tests.core.cli.command import heft, heft_process
 from tests.core.export.cloud import cloud
 from tests.core.export.known_result import answer
+from tests.core.gap.test_instruction import diagnosis, found
 
 
 @pytest.mark.parametrize(
@@ -68,6 +69,8 @@ def test_an_export_says_what_it_lacks_in_german(tmp_path: Path, monkeypatch: pyt
 def test_tables_and_lines_are_in_german_with_its_decimal_mark(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HEFT_LANGUAGE", "de")
     assert str(diagnosis_table(not_enough(Message.of("text", text="too short"), 0.1)).title).startswith("zu wenig: ")
+    late = diagnosis("explained", effects=[found("time_delay", delay_s=0.02, slight=0.01)])
+    assert str(next(iter(diagnosis_table(late).columns[4].cells))).splitlines()[0] == "Verzögerung 0,0200 ± 0,0010"
     told = PlanTorques(load="a guessed mass", mass_kg=1.0, largest=None, not_judged=[])
     assert torque_lines(told)[0].startswith("Gelenkmomente mit 1,000 kg")
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from core.cli.tables import diagnosis_lines
+from core.cli.tables import diagnosis_lines, diagnosis_table
 from core.gap.answer import Also
 from core.gap.answering import not_enough
 from core.words.message import Message
+from tests.core.gap.test_instruction import diagnosis, found
 from tests.core.report.made_up_diagnoses import with_verdict
 
 
@@ -31,3 +32,9 @@ def test_the_answers_between_which_it_lies_are_said_where_they_are_several() -> 
     open_ = with_verdict("ambiguous", likely=["time_delay", "time_delay+base_tilt", "unknown"])
     assert "In nine of ten cases like this it is one of these: time_delay, time_delay + base_tilt, unknown." in diagnosis_lines(open_)
     assert not any("nine of ten" in line for line in diagnosis_lines(with_verdict("explained", likely=["time_delay"])))
+
+
+def test_effects_are_told_with_their_parameters_in_everyday_units_and_improbable_ones_without() -> None:
+    late, level = found("time_delay", 0.9, delay_s=0.02), found("base_tilt", 0.001, about_x_rad=0.01)
+    names, *_, told = (list(column.cells) for column in diagnosis_table(diagnosis("explained", effects=[late, level])).columns)
+    assert list(zip(names, told, strict=True))[:2] == [("time_delay", "delay 0.0200 ± 0.0010"), ("base_tilt", "")]

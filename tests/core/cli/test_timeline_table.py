@@ -50,7 +50,7 @@ def test_the_column_of_a_recording_has_the_mark_and_the_most_certain_parameter(t
     late = {"verdict": "explained", "effects": [found("time_delay", slight=0.001, delay_s=0.02)]}
     said = CliRunner().invoke(app, ["diagnose", written(tmp_path, "one"), written(tmp_path, "two", **late)], env={"COLUMNS": "120"})
     row = next(line for line in said.output.splitlines() if "time_delay" in line)
-    assert [cell.strip() for cell in row.split("│")[1:4]] == ["time_delay: delay_s", "–", "✓ 0.02 ± 0.001 1"]
+    assert [cell.strip() for cell in row.split("│")[1:4]] == ["time_delay: delay", "–", "✓ 0.0200 ± 0.0010"]
 
 
 def test_where_nothing_was_fitted_there_is_no_parameter() -> None:

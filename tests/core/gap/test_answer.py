@@ -20,7 +20,15 @@ def test_a_diagnosis_comes_back_from_json_as_it_was_and_says_itself_in_both_lang
 
 def test_sentences_of_an_earlier_version_are_said_as_they_are() -> None:
     lacking = {"id": "too_short", "sentence": "1.2 s are too short", "values": {"lasts_s": 1.2}}
-    seen = {"id": "sensor_noise", "title": "noise", "side": "reading", "parameters": {}, "times_expected": None, "material": True}
+    seen: dict[str, object] = {
+        "id": "sensor_noise",
+        "title": "noise",
+        "side": "reading",
+        "parameters": {},
+        "times_expected": None,
+        "material": True,
+    }
+    seen["parameters"] = {"joint_3_gear_ratio": {"value": 100.0, "std": 0.1, "unit": "1"}}
     also = {**seen, "sentence": "It is noisy.", "advice": "Look.", "remark": "noisier", "values": {"times": 2.0}}
     earlier = not_enough(SHORT, 0.1).model_dump(mode="json")
     read = Diagnosis.model_validate(
@@ -30,6 +38,9 @@ def test_sentences_of_an_earlier_version_are_said_as_they_are() -> None:
         "Nothing.", "1.2 s are too short", "a: b", "It is noisy.",
     ]  # fmt: skip
     assert read.consequence is None
+    title = read.also[0].parameters["joint_3_gear_ratio"].title
+    assert title is not None
+    assert (title.say("en"), title.say("de")) == ("joint 3 gear ratio", "Gelenk 3 Übersetzung")
 
 
 def test_an_experiment_says_why_it_is_not_planned_where_it_is_not() -> None:

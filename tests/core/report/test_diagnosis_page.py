@@ -95,7 +95,7 @@ def test_an_explained_gap_is_told_in_words_and_numbers(tmp_path: Path) -> None:
         "Noise above what is stated (in the sensor's readings; 2.0 times what is stated or tolerated): There is noise above",
         "Friction (at the joints; 2.0 times what is stated or tolerated): There is friction. It does not matter.",
         "Do without noise above what is stated.",
-        "Friction in the joints: Joint 1 rubs. joint 1 coulomb 3.00 ± 0.10 N m",
+        "Friction in the joints: Joint 1 rubs. joint 1 Coulomb friction 3.00 ± 0.10 N m",
         "Drift of the sensor's offset: no temperature was recorded.",
         " in 6.1 s",
     ):

@@ -29,14 +29,14 @@ def test_the_heat_map_takes_the_loudest_band_and_adds_the_shares() -> None:
 @pytest.mark.parametrize(
     ("name", "value", "text"),
     [
-        ("delay_s", Value(value=0.0123, std=0.0004, unit="s"), "delay 12.30 ± 0.40 ms"),
-        ("time_constant_s", Value(value=120.0, std=5.0, unit="s"), "time constant 120.0 ± 5.0 s"),
-        ("about_x_rad", Value(value=np.radians(0.5), std=np.radians(0.01), unit="rad"), "about x 0.500 ± 0.010°"),
-        ("z_m", Value(value=-0.0031, std=0.0002, unit="m"), "z -3.10 ± 0.20 mm"),
-        ("fx_creep_share", Value(value=0.003, std=0.0001, unit="1"), "fx creep 0.300 ± 0.010 %"),
-        ("damping_ratio", Value(value=0.05, std=None, unit="1"), "damping ratio 0.05"),
-        ("stiffness_n_per_m", Value(value=3.0, std=0.5, unit="N/m"), "stiffness 3.00 ± 0.50 N/m"),
-        ("frequency_hz", Value(value=50.0, std=0.0, unit="Hz", at_bound=True), "frequency 50 Hz (at its bound)"),
+        ("delay_s", Value(value=0.0123, std=0.0004, unit="s"), "12.30 ± 0.40 ms"),
+        ("time_constant_s", Value(value=120.0, std=5.0, unit="s"), "120.0 ± 5.0 s"),
+        ("about_x_rad", Value(value=np.radians(0.5), std=np.radians(0.01), unit="rad"), "0.500 ± 0.010°"),
+        ("z_m", Value(value=-0.0031, std=0.0002, unit="m"), "-3.10 ± 0.20 mm"),
+        ("fx_creep_share", Value(value=0.003, std=0.0001, unit="1"), "0.300 ± 0.010 %"),
+        ("damping_ratio", Value(value=0.05, std=None, unit="1"), "0.05"),
+        ("stiffness_n_per_m", Value(value=3.0, std=0.5, unit="N/m"), "3.00 ± 0.50 N/m"),
+        ("frequency_hz", Value(value=50.0, std=0.0, unit="Hz", at_bound=True), "50 Hz (at its bound)"),
     ],
 )
 def test_a_parameter_is_told_in_everyday_units(name: str, value: Value, text: str) -> None:

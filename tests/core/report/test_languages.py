@@ -11,20 +11,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.effects.library import library, symptoms
 from core.estimation.estimate import Verification
 from core.payload.inertia import InertialParameters
 from core.payload.known_tool import KnownTool
 from core.report.diagnosis_page import write_diagnosis
 from core.report.motions import name_motion
 from core.report.page import write_report
-from core.report.parameter_words import CODES, PIECES, UNIT_SUFFIX
 from core.second_opinion.opinion import Approach, LostLoad, Opinion, PeakSpeed
 from core.second_opinion.pairs import AccountedPair, PairKind
 from core.words.catalogue import LANGUAGES, Language
 from core.words.message import Message
 from core.words.wording import Wording
-from tests.core.effects.synthetic_scene import scene
 from tests.core.report.made_up_diagnoses import CASES, overlay, with_verdict
 from tests.core.report.test_page import case
 
@@ -145,11 +142,3 @@ def test_motions_are_named_in_the_language() -> None:
         assert name_motion(name, english) == name
         assert name_motion(name, german) != name
     assert name_motion("somebody's motion", german) == "somebody's motion"
-
-
-def test_every_parameter_of_every_effect_has_words() -> None:
-    made = scene(seconds=9.0)
-    parameters = [parameter for effect in library() for parameter in effect.parameters(made)]
-    parameters += [parameter for symptom in symptoms() for parameter in symptom.parameters(case()[0])]
-    found = [PIECES.match(UNIT_SUFFIX.sub("", parameter.name)) for parameter in parameters]
-    assert {each[2] for each in found if each} - {"", "x", "y", "z"} - set(CODES) == set()

@@ -1,5 +1,5 @@
 import { words } from '../words';
-import { type Parameter, parameterName, parameterShown } from './effect-values';
+import { type Parameter, parameterShown, parameterTitle } from './effect-values';
 
 /** So many of one effect are seen at once; a cross-talk has thirty. */
 const CLEAREST = 6;
@@ -34,7 +34,7 @@ function List({ parameters }: { parameters: [string, Parameter][] }) {
     <dl class="effect-parameters">
       {parameters.map(([name, parameter]) => (
         <div key={name}>
-          <dt>{parameterName(name)}</dt>
+          <dt>{parameterTitle(name, parameter)}</dt>
           <dd>
             <Sized name={name} parameter={parameter} />
           </dd>

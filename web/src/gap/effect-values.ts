@@ -1,9 +1,11 @@
 import type { DiagnosisPublic, Message } from '../api';
 import { number, type Scale, type Shown, scaled, scaleOf } from '../ui/units';
 import { words } from '../words';
+import { say } from '../words/messages';
 
 /** A fitted parameter in `unit`, with its standard uncertainty. */
 export interface Parameter {
+  title?: Message | null;
   value: number;
   std: number | null;
   unit: string;
@@ -29,10 +31,6 @@ export interface Candidate {
 }
 
 const DEGREES = 180 / Math.PI;
-const SUFFIX =
-  /(_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share))?_per_\w+$|_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share)$/;
-const NAME =
-  /^(?:([ft][xyz]|joint_\d+|bridge_\d+|jump_\d+|mode_\d+)(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$/;
 const DIGITS = 3;
 /** From this probability on an effect is one of those that are open. */
 const OPEN = 0.05;
@@ -87,15 +85,9 @@ export function phaseName(phase: string): string {
   return `${words.value.gap.phases[kind] ?? kind} ${axis}`.trim();
 }
 
-/** Name of a parameter without its unit: "joint_3_gear_ratio" is "joint 3 gear ratio". */
-export function parameterName(name: string): string {
-  const [, of = '', what = '', axis = ''] = NAME.exec(name.replace(SUFFIX, '')) ?? [];
-  const [part = '', index = ''] = of.split('_');
-  return [piece(part), index, piece(what), axis].filter(Boolean).join(' ');
-}
-
-function piece(name: string): string {
-  return words.value.gap.pieces[name] ?? name.replaceAll('_', ' ');
+/** What a parameter is called, in the chosen language. */
+export function parameterTitle(name: string, { title }: Parameter): string {
+  return title ? say(title) : name.replaceAll('_', ' ');
 }
 
 /** The number of a parameter in everyday units. */

@@ -1,7 +1,7 @@
 import '../look/series.css';
 import type { EffectTimeline, Sighting } from '../api';
 import { DiagnoseRun } from '../gap/diagnose-run';
-import { effectName, type Parameter, parameterName, parameterShown } from '../gap/effect-values';
+import { effectName, type Parameter, parameterShown, parameterTitle } from '../gap/effect-values';
 import { MessageText } from '../ui/message-text';
 import { Press } from '../ui/press';
 import { Reading } from '../ui/reading';
@@ -73,12 +73,12 @@ function EachRecording({ found }: { found: ReadTimeline }) {
 
 function Row({ effect }: { effect: EffectTimeline }) {
   const said = timelineWords.value;
-  const name = leadingParameter(effect);
+  const [name, parameter] = leadingParameter(effect) ?? [null, null];
   return (
     <tr>
       <th scope="row">
         {effectName(effect.id)}
-        {name !== null && <small> {parameterName(name)}</small>}
+        {parameter !== null && <small> {parameterTitle(name, parameter)}</small>}
       </th>
       {effect.sightings.map((sighting, k) => (
         <td key={k}>
@@ -105,12 +105,12 @@ function Size({ name, sighting }: { name: string | null; sighting: Sighting }) {
 }
 
 /** That which stands out most from its uncertainty in any run that shows the effect; null where nothing was fitted. */
-function leadingParameter({ sightings }: EffectTimeline): string | null {
+function leadingParameter({ sightings }: EffectTimeline): [string, Parameter] | null {
   const all = sightings
     .filter(({ state }) => state !== 'absent')
     .flatMap(({ parameters }) => Object.entries(parameters))
     .toSorted(([, one], [, other]) => clearness(other) - clearness(one));
-  return all[0]?.[0] ?? null;
+  return all[0] ?? null;
 }
 
 function clearness({ value, std }: Parameter): number {

@@ -45,11 +45,4 @@ export const enEffects = {
     environment: 'surroundings',
     actuation: 'drives',
   } as Record<string, string>,
-  /** Pieces of the names of parameters, where they are not English words already. */
-  pieces: {
-    gain_change: 'gain change in the first minute',
-    second_order: 'second-order share',
-    joint: 'joint',
-    mode: 'mode',
-  } as Record<string, string>,
 };
