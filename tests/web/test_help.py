@@ -128,7 +128,7 @@ def test_nobody_is_led_around_while_a_robot_moves(service: RealService, browser:
     routes: list[WebSocketRoute] = []
     with tablet(browser, service) as at:
         at.without_viewer()
-        at.page.context.route_web_socket("**/api/now/live", lambda route: routes.append(route))  # noqa: PLW0108  Playwright marks what it is given
+        at.page.context.route_web_socket("**/api/now/live", lambda route: routes.append(route))  # noqa: PLW0108 - Playwright marks what it is given
         at.open()
         at.sign_in()
         at.press("Start the tour")

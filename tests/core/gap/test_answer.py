@@ -20,15 +20,8 @@ def test_a_diagnosis_comes_back_from_json_as_it_was_and_says_itself_in_both_lang
 
 def test_sentences_of_an_earlier_version_are_said_as_they_are() -> None:
     lacking = {"id": "too_short", "sentence": "1.2 s are too short", "values": {"lasts_s": 1.2}}
-    seen: dict[str, object] = {
-        "id": "sensor_noise",
-        "title": "noise",
-        "side": "reading",
-        "parameters": {},
-        "times_expected": None,
-        "material": True,
-    }
-    seen["parameters"] = {"joint_3_gear_ratio": {"value": 100.0, "std": 0.1, "unit": "1"}}
+    ratio = {"joint_3_gear_ratio": {"value": 100.0, "std": 0.1, "unit": "1"}}
+    seen = {"id": "sensor_noise", "title": "noise", "side": "reading", "parameters": ratio, "times_expected": None, "material": True}
     also = {**seen, "sentence": "It is noisy.", "advice": "Look.", "remark": "noisier", "values": {"times": 2.0}}
     earlier = not_enough(SHORT, 0.1).model_dump(mode="json")
     read = Diagnosis.model_validate(
